@@ -1,4 +1,4 @@
-//! An X server without a screen. The window's tests use this file too.
+//! An X server without a screen. The window's tests and those under Wine use this file too.
 
 use std::io::Read;
 use std::process::{Child, Command, Stdio};
@@ -11,11 +11,12 @@ pub struct Screen {
 }
 
 impl Screen {
-    /// Starts one of this size in pixels; the server chooses a free display number.
-    pub fn new([width, height]: [u32; 2]) -> Result<Screen, String> {
+    /// Starts one of this size in pixels, with more options for the server, which chooses a free display number.
+    pub fn new([width, height]: [u32; 2], options: &[&str]) -> Result<Screen, String> {
         let server = Command::new("Xvfb")
             .args(["-displayfd", "1", "-nolisten", "tcp", "-screen", "0"])
             .arg(format!("{width}x{height}x24"))
+            .args(options)
             .stdout(Stdio::piped())
             .stderr(Stdio::null())
             .spawn()

@@ -24,7 +24,7 @@ pub fn run(places: &Places) -> Result<bool, String> {
     // In front of the sphere and within the picture.
     let text = "[[object]]\nmodel = \"sphere_100k.obj\"\n\n[[light]]\nkind = \"point\"\nposition = [0.9, 0.5, 1.1]\n";
     std::fs::write(&scene, text).map_err(|e| format!("cannot write {}: {e}", scene.display()))?;
-    let screen = Screen::new(SIZE)?;
+    let screen = Screen::new(SIZE, &[])?;
     let mut held = true;
     let mut results = Vec::new();
     for way in [ALL_SAMPLES, AS_SHIPPED] {

@@ -127,7 +127,7 @@ fn draw(program: &Path, root: &Path, picture: &BookPicture) -> Result<(), String
 }
 
 /// gonio: the program in the environment variable `GONIO_PROGRAM`, or built now.
-fn program(root: &Path) -> Result<PathBuf, String> {
+pub fn program(root: &Path) -> Result<PathBuf, String> {
     if let Some(program) = std::env::var_os("GONIO_PROGRAM") {
         return Ok(root.join(program));
     }

@@ -2,7 +2,9 @@
 
 mod bench;
 mod book;
+mod cases;
 mod checks;
+mod dist;
 mod editors;
 mod fixtures;
 mod fuzz;
@@ -20,10 +22,12 @@ use std::process::ExitCode;
 
 const HELP: &str = "\
 cargo xtask test             run everything that CI runs; needs only rustup and a C compiler to start
-cargo xtask test --all       also check other platforms and the licences of all dependencies
+cargo xtask test --all       also other platforms, Windows under Wine, the release archive, the crates to publish, licences
 cargo xtask test --fast      without the web page, and without installing anything
 cargo xtask test --web [--dev]
                              build the web page and test it in headless Chromium
+cargo xtask test --only windows|archive|crates
+                             one of the steps that --all adds
 cargo xtask house            figures about the code base, and the rules that no compiler enforces; takes a second
 cargo xtask bench [NAME...]  run benchmarks; without a name, all of them
     render                   a 5,000-triangle model to a PNG, whole process, against f3d and a VTK script
@@ -40,6 +44,10 @@ cargo xtask bench web        the page in headless Chromium against a three.js pa
 cargo xtask fuzz [TARGET...] [--minutes N]
                              fuzz every reader, 20 minutes each; needs cargo-fuzz and nightly Rust
 cargo xtask web [--dev]      build the web page into dist and print its size; needs node and npm
+cargo xtask dist [--target T] [--built-page] [--manifests]
+                             build the archive of a release into target/packages, with checksums and manifests
+    --built-page             embed the page that is in dist instead of building it
+    --manifests              write checksums and manifests of the archives that are there, and build nothing
 cargo xtask vscode           build the extension for VS Code into editors/vscode/dist; needs node and npm
 cargo xtask book [--pictures]
                              write what the program generates for the book in docs, and build it; needs mdbook
@@ -59,6 +67,7 @@ fn main() -> ExitCode {
         ["test"] => test::run(test::Extent::Continuous),
         ["test", "--all"] => test::run(test::Extent::All),
         ["test", "--fast"] => test::run(test::Extent::Fast),
+        ["test", "--only", word] if let Some(extra) = test::Extra::named(word) => test::run(test::Extent::Only(extra)),
         ["house"] => test::run(test::Extent::House),
         ["test", "--web"] => test::run(test::Extent::Web(web::Build::Shipped)),
         ["test", "--web", "--dev"] => test::run(test::Extent::Web(web::Build::Dev)),
@@ -66,6 +75,7 @@ fn main() -> ExitCode {
         ["bench", names @ ..] => bench::run(names),
         ["fuzz", words @ ..] => fuzz::run(words),
         ["web", words @ ..] => web::run(words),
+        ["dist", words @ ..] => dist::run(words),
         ["vscode"] => editors::run(&root()),
         ["book", words @ ..] => book::run(words),
         ["schema"] => schema(),

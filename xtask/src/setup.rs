@@ -35,8 +35,14 @@ pub const WASM: &str = "wasm32-unknown-unknown";
 
 const COMPONENTS: &[&str] = &["rustfmt", "clippy"];
 
-/// Installs missing packages as root on Debian; otherwise prints the command that installs them.
+/// Installs the packages that every test run needs: see [`install`].
 pub fn packages() -> Findings {
+    install(PACKAGES, PROGRAMS)
+}
+
+/// Installs missing packages as root on Debian; otherwise prints the command that installs them. Each of `programs` is a program that
+/// need not come from a package, and its package.
+pub fn install(packages: &[&'static str], programs: &[(&str, &'static str)]) -> Findings {
     if !cfg!(target_os = "linux") {
         return Findings::default()
             .remarking("skipped: only Linux packages are known; the tests look for OpenGL themselves");
@@ -44,9 +50,9 @@ pub fn packages() -> Findings {
     if !Path::new("/etc/debian_version").exists() {
         return Findings::default().remarking("not Debian: install OpenGL (EGL) and RenderDoc yourself");
     }
-    let mut missing: Vec<&str> = PACKAGES.iter().copied().filter(|package| !is_installed(package)).collect();
+    let mut missing: Vec<&str> = packages.iter().copied().filter(|package| !is_installed(package)).collect();
     let runs = |program: &str| process::stdout_of(Command::new(program).arg("--version")).is_ok();
-    missing.extend(PROGRAMS.iter().filter(|(program, _)| !runs(program)).map(|(_, package)| *package));
+    missing.extend(programs.iter().filter(|(program, _)| !runs(program)).map(|(_, package)| *package));
     if missing.is_empty() {
         return Findings::pass();
     }

@@ -75,3 +75,20 @@ fn panes_side_by_side_show_the_lobes_of_their_brdfs() {
     let (first, second) = (window.lobe(0).unwrap(), window.lobe(1).unwrap());
     assert!((first - second).abs() > 1e-6, "{first} {second}");
 }
+
+/// Three panes side by side in a small window: each has its inset, smaller and within the pane.
+#[test]
+fn narrow_panes_have_insets_too() {
+    let mut window = Window::pinned(vec2(1180.0, 800.0));
+    window.click("tab-compare");
+    for _ in 0..2 {
+        window.click("add-pane");
+        window.steps(5);
+    }
+    for pane in 0..3 {
+        assert!(window.lobe(pane).is_some(), "pane {pane} has no inset");
+        let [x, _, width, _] = window.widget(&format!("lobe-{pane}")).rect;
+        let [left, _, whole, _] = window.widget(&format!("pane-{pane}")).rect;
+        assert!(whole < 300.0 && x >= left && x + width <= left + whole, "{x} {width} in {left} {whole}");
+    }
+}

@@ -15,6 +15,7 @@
 //! | [`explorer`] | the `.brdf` files of BRDF Explorer |
 //! | [`named_bsdf`] | any of them with its name; exports |
 //! | [`mod@fit`], [`fit_file`] | fits of models to tables and other functions, and their files |
+//! | [`lobe_width`] | the lobe by which a few directions represent a function |
 //! | [`sampling`] | directions from random numbers, with their densities |
 //!
 //! Nothing here opens a file or prints.
@@ -29,6 +30,7 @@ pub mod fit_file;
 pub mod glsl;
 pub mod half_angles;
 pub mod integrate;
+pub mod lobe_width;
 pub mod merl;
 pub mod model_spec;
 pub mod models;
@@ -42,6 +44,7 @@ pub use embedded_glsl::embedded_glsl;
 pub use fit::{BsdfFit, FitError, FitResidual, FitTarget, fit};
 pub use glsl::{GlslBrdf, GlslBrdfError};
 pub use gonio_light::DVec3;
+pub use lobe_width::function_lobe;
 pub use merl::{MerlError, MerlTable};
 pub use model_spec::{ModelSpec, ModelSpecError};
 pub use models::{BsdfModel, MODELS};

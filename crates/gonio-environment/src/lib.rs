@@ -13,6 +13,7 @@
 //! | [`mip`] | mip levels of a cubemap |
 //! | [`harmonics`] | diffuse light by nine spherical harmonics |
 //! | [`prefilter`] | glossy light: an environment blurred for each roughness |
+//! | [`small_lights`] | suns and lamps, apart from the rest |
 //! | [`mod@check`] | whether the edges of six faces meet, and which repair makes them meet |
 //! | [`mod@check_panorama`] | whether a panorama closes at its sides and poles |
 //! | [`repair`] | mirroring, turning and swapping faces back |
@@ -48,6 +49,7 @@ pub mod repair;
 mod seams;
 pub mod simd;
 pub mod sky;
+pub mod small_lights;
 
 pub use arrange::Arrangement;
 pub use brdf_table::BrdfTable;
@@ -64,3 +66,4 @@ pub use panorama::Panorama;
 pub use prefilter::GlossyMips;
 pub use repair::Repair;
 pub use simd::SimdLevel;
+pub use small_lights::{SeparatedLights, SmallLight};

@@ -15,6 +15,7 @@
 //! | [`light`] | light kinds, attenuation, the spot's cone |
 //! | [`brdf`] | Lambert, Phong, Blinn, Lafortune, Ward |
 //! | [`microfacet`] | rough mirrors (GGX), their integral over an environment, exponents of roughnesses |
+//! | [`function_light`] | an environment on a surface whose BRDF is any function |
 //! | [`shading_point`] | geometry and material of one point |
 //! | [`vector`] | reflection, refraction, half vector |
 //! | [`optics`] | mirrors and glass: how a surface shows its surroundings; Fresnel factors |
@@ -28,6 +29,7 @@ pub mod names;
 pub mod brdf;
 pub mod color;
 pub mod equation;
+pub mod function_light;
 pub mod light;
 pub mod microfacet;
 pub mod observer;

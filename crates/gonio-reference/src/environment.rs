@@ -5,13 +5,14 @@ use crate::fragment::Fragment;
 use crate::shade::Shader;
 use glam::DVec3;
 use gonio_environment::prefilter::dominant_direction;
-use gonio_environment::{BrdfTable, GlossyMips, harmonics};
+use gonio_environment::{BrdfTable, GlossyMips, SeparatedLights, harmonics};
 use gonio_light::brdf::effective_shininess;
+use gonio_light::function_light::lookup_level;
 use gonio_light::microfacet::roughness_of_shininess;
 use gonio_light::optics::{self, Body, EnvironmentTerms, Sight, boundary};
 use gonio_light::{Optics, ShadingPoint, Surface, Surfaces};
 use gonio_scene::scene_file::Shading;
-use gonio_scene::{Frame, LoadedEnvironment, Scene, Surroundings, TextureFilter};
+use gonio_scene::{Frame, LoadedEnvironment, MaterialBrdf, Scene, Surroundings, TextureFilter};
 use std::f64::consts::FRAC_1_PI;
 
 /// The environment of a frame.
@@ -26,6 +27,9 @@ pub(crate) struct Environment<'a> {
     blurred: Option<&'a GlossyMips>,
     /// Diffuse light by the normal, where it counts.
     diffuse: Option<[DVec3; 9]>,
+    /// The environment for materials with BRDFs of their own, if there are any that it lights, with the directions in the world
+    /// and the irradiances of its small lights.
+    separated: Option<(&'a SeparatedLights, Vec<(DVec3, DVec3)>)>,
     /// The environment in rough mirrors, if there are any. Both are computed before the threads start: computing them
     /// uses all threads, which would deadlock.
     glossy: Option<(&'a GlossyMips, &'static BrdfTable)>,
@@ -41,7 +45,8 @@ impl<'a> Environment<'a> {
         let surroundings = frame.surroundings?;
         let has_levels = matches!(frame.texture_filter, TextureFilter::Mipmap | TextureFilter::Anisotropic);
         let terms = &frame.equation.terms;
-        let any_gloss = || scene.materials.iter().any(|m| m.material.specular != [0.0; 3]);
+        let any_function = || scene.materials.iter().any(|m| m.brdf.is_some());
+        let any_gloss = || scene.materials.iter().any(|m| m.brdf.is_none() && m.material.specular != [0.0; 3]);
         Some(Environment {
             loaded,
             surroundings,
@@ -49,6 +54,12 @@ impl<'a> Environment<'a> {
             background_level: if has_levels { level(loaded.seen().full().size(), sample_angle_rad) } else { 0.0 },
             blurred: (surroundings.visible && surroundings.blur > 0.0).then(|| loaded.seen_glossy()),
             diffuse: (surroundings.lights && terms.diffuse).then(|| loaded.harmonics().polynomial()),
+            separated: (surroundings.lights && terms.specular && any_function()).then(|| {
+                let world_from_environment = surroundings.environment_from_world.transpose();
+                let separated = loaded.separated();
+                let lights = separated.lights.iter().map(|l| (world_from_environment * l.direction, l.irradiance));
+                (separated, lights.collect())
+            }),
             glossy: (surroundings.lights && terms.specular && any_gloss()).then(|| (loaded.glossy(), BrdfTable::get())),
         })
     }
@@ -86,11 +97,13 @@ impl<'a> Environment<'a> {
         surface: &Surface,
     ) -> EnvironmentTerms {
         let optics = &fragment.material().optics;
-        // Prefiltered light has no directions: a BRDF of the material's own is lit as what comes closest.
-        let lit = fragment.material().brdf.as_ref().map_or(surface, |brdf| &brdf.stand_in);
+        let (diffuse, specular) = match &fragment.material().brdf {
+            None => (self.diffuse_light(point, surface), self.glossy_light(point, surface)),
+            Some(brdf) => (DVec3::ZERO, self.function_light(point, brdf)),
+        };
         EnvironmentTerms {
-            diffuse: self.diffuse_light(point, lit),
-            specular: self.glossy_light(point, lit),
+            diffuse,
+            specular,
             sight: if optics.is_plain() {
                 Sight::default()
             } else {
@@ -116,6 +129,20 @@ impl<'a> Environment<'a> {
         let (scale, bias) = table.lookup(point.normal.dot(point.view), roughness);
         let middle = self.surroundings.environment_from_world * dominant_direction(point.normal, point.view, roughness);
         (surface.specular * scale + bias) * glossy.sample(middle, roughness) * self.surroundings.intensity
+    }
+
+    /// The light on a material with a BRDF of its own, all of which counts as specular: a sum over a few directions, as
+    /// prefiltered light has none ([`gonio_light::function_light`]).
+    fn function_light(&self, point: &ShadingPoint, brdf: &MaterialBrdf) -> DVec3 {
+        let Some((separated, lights)) = &self.separated else { return DVec3::ZERO };
+        let (mips, lights) =
+            if brdf.lobe().is_wide() { (&separated.rest, lights.as_slice()) } else { (&self.loaded.mips, &[][..]) };
+        let size = f64::from(mips.full().size());
+        let radiance = |l: DVec3, w: f64| {
+            let direction = self.surroundings.environment_from_world * l;
+            mips.sample(direction, lookup_level(size, direction, w))
+        };
+        self.surroundings.intensity * brdf.environment_light(point, radiance, lights)
     }
 
     fn sight(

@@ -51,10 +51,7 @@ vec3 material_tangent;
 vec3 material_factor(vec3 n, vec3 v, vec3 l, float cos_theta) {
     if (cos_theta <= 0.0 || dot(n, v) <= 0.0) return vec3(0.0);
     vec3 t = unit_or(material_tangent - dot(n, material_tangent) * n, horizontal_tangent(n));
-    vec3 f = gonioBrdfBRDF(l, v, n, t, cross(n, t));
-    // Values that are negative or not a number count as 0.
-    f = mix(vec3(0.0), min(f, vec3(LOBE_CAP)), vec3(greaterThan(f, vec3(0.0))));
-    return f * (PI * diff_factor * cos_theta);
+    return material_brdf(l, v, n, t) * (PI * diff_factor * cos_theta);
 }
 #endif
 

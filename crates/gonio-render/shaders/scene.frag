@@ -27,11 +27,6 @@ FLAT_IF_LIT_PER_FACE in vec3 v_back_quantity;
 
 uniform vec3 ambient_light;      // the scene's, 0 where A is switched off
 uniform float emitted_switch;
-#if ENVIRONMENT_LIGHT && REFLECTANCE == REFLECTANCE_MATERIAL
-uniform vec3 stand_in_diffuse;
-uniform vec3 stand_in_specular;
-uniform float stand_in_shininess;
-#endif
 #if VIEW
 uniform vec4 depth_plane;        // dot(depth_plane, (p, 1)) is the distance along the viewing direction
 #endif
@@ -111,8 +106,7 @@ void main() {
     vec3 value = ambient + emitted + diffuse + specular;
 #if ENVIRONMENT_LIGHT
 #if REFLECTANCE == REFLECTANCE_MATERIAL
-    // Prefiltered light has no directions: a BRDF of the material's own is lit as what comes closest.
-    EnvironmentLight around = environment_light(n, v, stand_in_diffuse, stand_in_specular, stand_in_shininess);
+    EnvironmentLight around = function_light(n, v, v_tangent_in_world.xyz);
 #else
     EnvironmentLight around = environment_light(n, v, s.diffuse, s.specular, s.shininess);
 #endif

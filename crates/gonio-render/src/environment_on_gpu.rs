@@ -3,7 +3,7 @@
 //! Faces are not flipped: their rows begin at t = 0, which is at the top in OpenGL's table of directions, as in a [`Cubemap`].
 //! (2-D textures are flipped, because v increases upwards.)
 
-use gonio_environment::{BrdfTable, Cubemap, Face};
+use gonio_environment::{BrdfTable, Cubemap, Face, SmallLight};
 use gonio_gl::objects::TextureObject;
 use gonio_gl::{Gl, GlError, Texels};
 use gonio_scene::LoadedEnvironment;
@@ -31,6 +31,7 @@ pub(crate) struct EnvironmentOnGpu {
     polynomial: OnceCell<[[f32; 3]; 9]>,
     gloss: OnceCell<Gloss>,
     blurred: OnceCell<CubeTexture>,
+    rest: OnceCell<CubeTexture>,
     /// Limits of the driver that change the picture.
     pub notes: Vec<String>,
 }
@@ -69,6 +70,7 @@ impl EnvironmentOnGpu {
             polynomial: OnceCell::new(),
             gloss: OnceCell::new(),
             blurred: OnceCell::new(),
+            rest: OnceCell::new(),
             notes,
         })
     }
@@ -88,6 +90,19 @@ impl EnvironmentOnGpu {
     /// The nine constants of its irradiance.
     pub fn polynomial(&self) -> &[[f32; 3]; 9] {
         self.polynomial.get_or_init(|| self.loaded.harmonics().polynomial().map(|c| c.as_vec3().to_array()))
+    }
+
+    /// The environment without its small lights.
+    pub fn rest(&self, gl: &Gl) -> Result<&CubeTexture, GlError> {
+        made_once(&self.rest, || {
+            let levels = self.loaded.separated().rest.levels();
+            CubeTexture::upload(gl, "environment without small lights", levels, self.max_size)
+        })
+    }
+
+    /// The small lights of the environment.
+    pub fn small_lights(&self) -> &[SmallLight] {
+        &self.loaded.separated().lights
     }
 
     /// The environment as glossy surfaces reflect it.

@@ -13,12 +13,13 @@ pub use surroundings::{SurfaceOptics, SurroundingsKey, sky_sources};
 use crate::body::LEAF_STEP;
 use crate::shader_text::shader_text;
 use gonio_bsdf::merl;
+use gonio_environment::small_lights;
 use gonio_gl::Dialect;
 use gonio_light::brdf::{self, BrdfKind};
 use gonio_light::color::{self, ToneMap};
 use gonio_light::light::Attenuation;
 use gonio_light::optics::{self, Fresnel};
-use gonio_light::{Quantity, Specular, microfacet, vector};
+use gonio_light::{Quantity, Specular, function_light, microfacet, vector};
 use gonio_scene::scene::HOLE_OPACITY;
 use gonio_scene::scene_file::Shading;
 use output::tone_map_define;
@@ -46,7 +47,7 @@ pub const LIGHT_POINT: i32 = 1;
 pub const LIGHT_SPOT: i32 = 2;
 
 /// The texture units: one for each texture of a material, the lights, and the environment. 16 are guaranteed.
-pub const TEXTURE_UNITS: [(&str, u32); 14] = [
+pub const TEXTURE_UNITS: [(&str, u32); 15] = [
     ("diffuse_map", 0),
     ("specular_map", 1),
     ("emitted_map", 2),
@@ -61,6 +62,7 @@ pub const TEXTURE_UNITS: [(&str, u32); 14] = [
     ("shadow_atlas", 11),
     ("shadow_table", 12),
     ("merl_table", 13),
+    ("function_map", 14),
 ];
 
 /// The unit of a sampler by its name in GLSL.
@@ -295,6 +297,8 @@ impl SceneKey {
         let shared = format!("{}{}{}", dialect.header(), constants(), self.defines());
         let view = if self.view { QUANTITY } else { "" };
         let shadow = if self.shadows { SHADOW } else { "" };
+        let own = self.has_own_brdf().then(|| [function, MATERIAL_BRDF].concat());
+        let function = own.as_deref().unwrap_or_default();
         let lit = [VECTOR, LIGHT, FRESNEL, BRDF, LIGHT_TABLE, shadow, function, LIGHTING, view].concat();
         let (vertex_light, fragment_light) = if self.vertex_lit() {
             (lit.as_str(), "struct LightSums { vec3 diffuse; vec3 specular; };\nuniform vec3 eye_in_world;\n")
@@ -303,7 +307,7 @@ impl SceneKey {
         };
         let fragment_view = if self.vertex_lit() && self.view { "uniform int view_quantity;\n" } else { "" };
         let fragment_vector = if self.vertex_lit() { VECTOR } else { "" };
-        let around = self.surroundings.functions(self.vertex_lit());
+        let around = self.surroundings.functions(self.vertex_lit(), own.as_deref());
         [
             [shared.as_str(), vertex_light, SCENE_VERT].concat(),
             [&shared, fragment_vector, fragment_light, fragment_view, &around, MATERIAL, SCENE_FRAG].concat(),
@@ -342,10 +346,12 @@ const FRESNEL: &str = shader_text!("../shaders/light/fresnel.glsl");
 const BRDF: &str = shader_text!("../shaders/light/brdf.glsl");
 const OPTICS: &str = shader_text!("../shaders/light/optics.glsl");
 const ENVIRONMENT_LIGHT: &str = shader_text!("../shaders/light/environment_light.glsl");
+const FUNCTION_LIGHT: &str = shader_text!("../shaders/light/function_light.glsl");
 const COLOR: &str = shader_text!("../shaders/light/color.glsl");
 const LIGHT_TABLE: &str = shader_text!("../shaders/light_table.glsl");
 const SHADOW: &str = shader_text!("../shaders/shadow.glsl");
 const LIGHTING: &str = shader_text!("../shaders/lighting.glsl");
+const MATERIAL_BRDF: &str = shader_text!("../shaders/material_brdf.glsl");
 const QUANTITY: &str = shader_text!("../shaders/quantity.glsl");
 const MATERIAL: &str = shader_text!("../shaders/material.glsl");
 const SCENE_VERT: &str = shader_text!("../shaders/scene.vert");
@@ -353,7 +359,8 @@ const SCENE_FRAG: &str = shader_text!("../shaders/scene.frag");
 
 /// The pure functions of the equation alone, for the test that compares them with their Rust twins.
 pub fn light_functions(dialect: Dialect) -> String {
-    [dialect.header(), &constants(), VECTOR, LIGHT, FRESNEL, BRDF, COLOR, OPTICS, ENVIRONMENT_LIGHT].concat()
+    let parts = [VECTOR, LIGHT, FRESNEL, BRDF, COLOR, OPTICS, ENVIRONMENT_LIGHT, FUNCTION_LIGHT];
+    [dialect.header(), &constants(), &parts.concat()].concat()
 }
 
 fn bit(on: bool) -> &'static str {
@@ -404,6 +411,7 @@ fn constants() -> String {
         ("MOST_MEETINGS", optics::MOST_MEETINGS as i32),
         ("BODY_ROW", BODY_ROW as i32),
         ("LEAF_STEP", LEAF_STEP as i32),
+        ("MOST_SMALL_LIGHTS", small_lights::MOST_LIGHTS as i32),
         ("MERL_WIDTH", MERL_WIDTH as i32),
         ("MERL_THETA_H", merl::THETA_H as i32),
         ("MERL_THETA_D", merl::THETA_D as i32),
@@ -425,6 +433,9 @@ fn constants() -> String {
         ("SHADOW_BIAS_TEXELS", SHADOW_BIAS_TEXELS),
         ("WEIGHT_THAT_COUNTS", optics::WEIGHT_THAT_COUNTS),
         ("NEAREST_MEETING", optics::NEAREST_MEETING),
+        ("LEAST_VIEW_COSINE", function_light::LEAST_VIEW_COSINE),
+        ("LEVELS_BEYOND", function_light::LEVELS_BEYOND),
+        ("GOLDEN_SECTION", function_light::GOLDEN_SECTION),
         ("PI", std::f64::consts::PI),
     ] {
         // `{:e}` writes 1e6; GLSL needs a decimal point or an exponent, so this is a float.

@@ -1,7 +1,7 @@
 //! The environment of a scene, ready to be looked up.
 
 use glam::{DMat3, DQuat, DVec3};
-use gonio_environment::{CubeMips, Cubemap, GlossyMips, Harmonics};
+use gonio_environment::{CubeMips, Cubemap, GlossyMips, Harmonics, SeparatedLights};
 use std::sync::OnceLock;
 
 /// An environment with its files read.
@@ -17,6 +17,7 @@ pub struct LoadedEnvironment {
     harmonics: OnceLock<Harmonics>,
     glossy: OnceLock<GlossyMips>,
     seen_glossy: OnceLock<GlossyMips>,
+    separated: OnceLock<SeparatedLights>,
 }
 
 impl LoadedEnvironment {
@@ -29,6 +30,7 @@ impl LoadedEnvironment {
             harmonics: OnceLock::new(),
             glossy: OnceLock::new(),
             seen_glossy: OnceLock::new(),
+            separated: OnceLock::new(),
         }
     }
 
@@ -52,6 +54,11 @@ impl LoadedEnvironment {
     /// [`Self::mips`] as rough mirrors show it.
     pub fn glossy(&self) -> &GlossyMips {
         self.glossy.get_or_init(|| GlossyMips::new(&self.mips, GlossyMips::SIZE))
+    }
+
+    /// [`Self::mips`] in two parts, for sums over few directions.
+    pub fn separated(&self) -> &SeparatedLights {
+        self.separated.get_or_init(|| SeparatedLights::new(&self.mips))
     }
 
     /// [`Self::seen`], blurred.

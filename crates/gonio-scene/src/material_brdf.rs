@@ -7,16 +7,17 @@ use gonio_bsdf::integrate::albedo_with_steps;
 use gonio_bsdf::merl::FILE_BYTES;
 use gonio_bsdf::{
     Bsdf, BsdfSource, GlslBrdfError, MerlError, MerlTable, ModelSpec, NamedBsdf, NamedBsdfError, ParameterKind,
-    ParameterValues, embedded_glsl, fit_file, model_spec,
+    ParameterValues, embedded_glsl, fit_file, function_lobe, model_spec,
 };
 use gonio_light::brdf::{LOBE_CAP, SHININESS_MAX, effective_shininess};
+use gonio_light::function_light::{self, FunctionLobe};
 use gonio_light::{ShadingPoint, Surface};
 use gonio_mesh::{Diagnostic, Material, ReadError};
 use std::f64::consts::FRAC_1_SQRT_2;
 use std::fmt;
 use std::io::{Error, ErrorKind};
 use std::path::Path;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// Most bytes of a file. A table has 35 MB; a file up to twice as large is read to say how large it is.
 const MOST_BYTES: u64 = 2 * FILE_BYTES as u64;
@@ -51,8 +52,10 @@ pub struct MaterialBrdf {
     pub table: Option<Arc<MerlTable>>,
     /// The share of light at 45 degrees that is scattered: the material's diffuse colour, which ambient light meets.
     pub albedo: DVec3,
-    /// The light equation's material that comes closest, for the environment's prefiltered light.
-    pub stand_in: Surface,
+    /// The exponent of the light equation's lobe that is about as wide.
+    shininess: f64,
+    /// Measured at the first use: only an environment needs it.
+    lobe: OnceLock<FunctionLobe>,
 }
 
 impl fmt::Debug for MaterialBrdf {
@@ -75,9 +78,9 @@ impl MaterialBrdf {
         let table = if let BsdfSource::Table(table) = source { Some(table) } else { None };
         let view = DVec3::new(FRAC_1_SQRT_2, 0.0, FRAC_1_SQRT_2);
         let albedo = held(albedo_with_steps(bsdf.as_ref(), view, ALBEDO_STEPS), 1.0);
-        let stand_in = stand_in(&values, albedo);
+        let shininess = shininess(&values);
         let shader = glsl.map(|text| embedded_glsl(&text, &values).map(Arc::from));
-        MaterialBrdf { name, bsdf, shader, table, albedo, stand_in }
+        MaterialBrdf { name, bsdf, shader, table, albedo, shininess, lobe: OnceLock::new() }
     }
 
     /// `f` in 1/sr, per channel, for light from `l`: at least 0 and at most [`LOBE_CAP`]; 0 where the function has no value.
@@ -87,6 +90,33 @@ impl MaterialBrdf {
         let b = n.cross(t);
         let local = |w: DVec3| DVec3::new(t.dot(w), b.dot(w), n.dot(w));
         held(self.bsdf.evaluate(local(l), local(point.view)), LOBE_CAP)
+    }
+
+    /// The directions, in the local frame, from which an environment's light is summed.
+    pub fn lobe(&self) -> &FunctionLobe {
+        self.lobe.get_or_init(|| function_lobe(self.bsdf.as_ref()))
+    }
+
+    /// The light of an environment that is reflected to the view, in the frame of the point's normal and tangent. `radiance`
+    /// returns the mean over a solid angle about a unit direction in world space; `lights` are directions and irradiances of
+    /// small lights besides.
+    pub fn environment_light(
+        &self,
+        point: &ShadingPoint,
+        radiance: impl Fn(DVec3, f64) -> DVec3,
+        lights: &[(DVec3, DVec3)],
+    ) -> DVec3 {
+        let (n, t) = (point.normal, point.tangent);
+        let b = n.cross(t);
+        let local = |w: DVec3| DVec3::new(t.dot(w), b.dot(w), n.dot(w));
+        let wo = function_light::raised_view(local(point.view));
+        let extended = self.lobe().directions(wo);
+        let extended = extended.into_iter().map(|(wi, w)| (wi, w * radiance(t * wi.x + b * wi.y + n * wi.z, w)));
+        let small = lights.iter().map(|(direction, irradiance)| (local(*direction), *irradiance));
+        let incident: Vec<(DVec3, DVec3)> = extended.chain(small).filter(|(wi, _)| wi.z > 0.0).collect();
+        let pairs: Vec<(DVec3, DVec3)> = incident.iter().map(|(wi, _)| (*wi, wo)).collect();
+        let values = self.bsdf.evaluate_all(&pairs);
+        incident.iter().zip(values).map(|((wi, light), value)| held(value, LOBE_CAP) * wi.z * *light).sum()
     }
 
     /// Whether it scatters light in single directions only, as a smooth boundary does.
@@ -104,7 +134,7 @@ impl MaterialBrdf {
         material.diffuse = self.albedo.as_vec3().to_array();
         // The light equation multiplies the BRDF by it.
         material.specular = [1.0; 3];
-        material.shininess = self.stand_in.shininess as f32;
+        material.shininess = self.shininess as f32;
         (material.diffuse_map, material.specular_map, material.shininess_map) = (None, None, None);
         material.metallic_roughness = None;
     }
@@ -115,27 +145,17 @@ fn held(value: DVec3, most: f64) -> DVec3 {
     value.map(|channel| if channel > 0.0 { channel.min(most) } else { 0.0 })
 }
 
-/// The light equation's material that comes closest to a function. Of models with a rough mirror, `a` is the diffuse and `f0`
-/// or `b` the specular colour; other functions are matte, with their albedo.
-fn stand_in(values: &ParameterValues, albedo: DVec3) -> Surface {
-    let value = |name: &str, is_color: bool| {
-        let has_kind = |kind: &ParameterKind| matches!(kind, ParameterKind::Color { .. }) == is_color;
-        values.iter().find(|(p, _)| p.name == name && has_kind(&p.kind)).map(|(_, value)| value)
+/// The exponent of the light equation's lobe that is about as wide as that of a model with a rough mirror; 1 for other functions.
+fn shininess(values: &ParameterValues) -> f64 {
+    let value = |name: &str| {
+        let is_number = |kind: &ParameterKind| !matches!(kind, ParameterKind::Color { .. });
+        values.iter().find(|(p, _)| p.name == name && is_number(&p.kind)).map(|(_, value)| value.x)
     };
     let rough = |alpha: f64| (2.0 / (alpha * alpha).max(1e-6) - 2.0).min(SHININESS_MAX);
-    let exponent = || {
-        let alpha = value("alpha", false).or_else(|| value("m", false)).map(|alpha| rough(alpha.x));
-        // Ward's slope is at most 1; the exponents of Phong and Blinn are at least 1.
-        alpha.or_else(|| value("c", false).map(|c| if c.x < 1.0 { rough(c.x) } else { c.x }))
-    };
-    let specular = value("f0", true).or_else(|| value("b", true));
-    let base = Surface::default();
-    match (value("a", true), specular, exponent()) {
-        (Some(diffuse), Some(specular), Some(shininess)) => {
-            Surface { ambient: diffuse, diffuse, specular, shininess: effective_shininess(shininess), ..base }
-        }
-        _ => Surface { ambient: albedo, diffuse: albedo, specular: DVec3::ZERO, ..base },
-    }
+    let of_slope = value("alpha").or_else(|| value("m")).map(rough);
+    // Ward's slope is at most 1; the exponents of Phong and Blinn are at least 1.
+    let exponent = of_slope.or_else(|| value("c").map(|c| if c < 1.0 { rough(c) } else { c }));
+    effective_shininess(exponent.unwrap_or(Surface::default().shininess))
 }
 
 /// Resolves the path of `FILE` or `FILE:key=value,...` relative to `base`.

@@ -7,9 +7,10 @@ use common::{RGB, TestScene, cuboid, point, sphere, square};
 use glam::{DMat4, DVec3};
 use gonio_bsdf::integrate::directional_albedo;
 use gonio_bsdf::{MODELS, ModelSpec, NamedBsdf};
+use gonio_environment::{Builtin, Layout};
 use gonio_light::Convention;
 use gonio_reference::ReferenceScene;
-use gonio_scene::MaterialBrdf;
+use gonio_scene::{LoadedEnvironment, MaterialBrdf, Surroundings};
 use gonio_trace::{Simplifications, TraceSettings};
 use std::sync::Arc;
 
@@ -101,4 +102,55 @@ fn direct_light_is_that_of_the_reference() {
             }
         }
     }
+}
+
+/// A flat piece in the light of an environment, from several sides: the few directions of the light equation see what the tracer
+/// sees. The bounds, in parts of the brightest channel, are the errors of the worst of these places, measured, and a fifth more.
+#[test]
+fn environments_light_as_they_do_when_traced() {
+    let mut failures = Vec::new();
+    for (text, bound) in [
+        ("lambert:a=0.8/0.4/0.2", 0.02),
+        ("oren-nayar", 0.03),
+        ("ggx:a=0,f0=0.9/0.6/0.3,alpha=0.1", 0.07),
+        ("ggx:a=0.2/0.1/0.05,f0=0.5,alpha=0.4", 0.035),
+        ("beckmann:alpha=0.3", 0.06),
+        ("ward:a=0.3,b=0.4,c=0.15", 0.04),
+        ("ward-anisotropic:cx=0.1,cy=0.4,b=0.5/0.4/0.3", 0.04),
+        ("ashikhmin-shirley", 0.075),
+        ("lafortune", 0.08),
+        ("disney:", 0.03),
+    ] {
+        let brdf = brdf(text);
+        let mut worst = (0.0, String::new());
+        for environment in [Builtin::Sky, Builtin::Room] {
+            let map = environment.cubemap(128, Layout::OpenGl).unwrap();
+            let loaded = Arc::new(LoadedEnvironment::new(environment.name(), map));
+            for (degrees, turn) in
+                [(10.0_f64, 0.0_f64), (45.0, 0.6), (45.0, 2.5), (45.0, 4.4), (75.0, 1.2), (75.0, 3.6)]
+            {
+                let ((sin, cos), (sin_turn, cos_turn)) = (degrees.to_radians().sin_cos(), turn.sin_cos());
+                let mut scene = with(TestScene::new(), square(1.0, 0.0), brdf.clone());
+                scene.scene.environment = Some(loaded.clone());
+                scene.frame.surroundings = Some(Surroundings { lights: true, ..Surroundings::default() });
+                let mut scene = scene.eye([5.0 * sin * cos_turn, 5.0 * sin * sin_turn, 5.0 * cos], [0.0; 3]);
+                scene.frame.camera.fov_y_rad = 0.2f64.to_radians();
+                let reference = ReferenceScene::new(&scene.scene).render(&scene.frame, None, &|_| ()).picture;
+                let [r, g, b, _] = reference.at(4, 4);
+                let found = DVec3::new(r.into(), g.into(), b.into());
+                let (mean, error) = scene.mean(&RGB, 1024);
+                let difference = (found - mean).abs().max_element() / mean.max_element();
+                if difference > worst.0 {
+                    worst = (
+                        difference,
+                        format!("{environment} {degrees} {turn}: {found} instead of {mean}, noise {error:.1e}"),
+                    );
+                }
+            }
+        }
+        if worst.0 > bound {
+            failures.push(format!("{text}: {worst:?}"));
+        }
+    }
+    assert!(failures.is_empty(), "{failures:#?}");
 }

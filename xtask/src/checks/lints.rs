@@ -9,8 +9,9 @@ use super::source::{Source, TextFile, find_words};
 pub const UNSAFE_CODE: &[&str] = &[
     "crates/gonio-gl/src/capture.rs",
     "crates/gonio-gl/src/functions.rs",
+    "crates/gonio-gl/src/headless/cgl.rs",
     "crates/gonio-gl/src/headless/egl.rs",
-    "crates/gonio-gl/src/headless/glutin_window.rs",
+    "crates/gonio-gl/src/headless/wgl.rs",
     "crates/gonio-scene/src/files/disk.rs",
 ];
 

@@ -8,3 +8,4 @@ pub mod source;
 pub mod text;
 pub mod translations;
 pub mod words;
+pub mod workflows;

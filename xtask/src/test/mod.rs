@@ -1,8 +1,11 @@
 //! `cargo xtask test`: runs the steps in an order that lets later steps reuse earlier builds.
 
 mod cargo_output;
+mod publish;
+mod windows;
 
-use crate::checks::{dependencies, lints, source, text, translations};
+use crate::checks::{dependencies, lints, source, text, translations, workflows};
+use crate::dist::trial;
 use crate::report::{Findings, Report};
 use crate::web::{Build, browser};
 use crate::{editors, house as figures, licenses, process, root, score, setup};
@@ -12,7 +15,8 @@ use std::process::ExitCode;
 /// The extent of a test run.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Extent {
-    /// Also what takes too long for CI: other platforms, and the dependencies against `deny.toml`.
+    /// Also what takes too long for CI: other platforms, Windows under Wine, the archive that users get, the crates to publish, and the
+    /// dependencies against `deny.toml`.
     All,
     /// Everything that CI runs.
     Continuous,
@@ -22,10 +26,43 @@ pub enum Extent {
     House,
     /// Only the web page, in a browser.
     Web(Build),
+    /// Only one of the steps that [`Extent::All`] adds.
+    Only(Extra),
+}
+
+/// A step that takes too long for CI.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Extra {
+    /// The program for Windows, under Wine.
+    Windows,
+    /// The archive that users get.
+    Archive,
+    /// The crates to publish.
+    Crates,
+}
+
+impl Extra {
+    /// Each with its word on the command line.
+    const ALL: [(&str, Extra); 3] =
+        [("windows", Extra::Windows), ("archive", Extra::Archive), ("crates", Extra::Crates)];
+
+    /// The step of a word.
+    pub fn named(word: &str) -> Option<Extra> {
+        Extra::ALL.iter().find(|(name, _)| *name == word).map(|(_, extra)| *extra)
+    }
+
+    fn run(self, report: &mut Report, root: &Path) {
+        match self {
+            Extra::Windows => report.step("Windows, under Wine", || windows::step(root)),
+            // With the page that is in `dist`.
+            Extra::Archive => report.step("release archive", || trial::step(root)),
+            Extra::Crates => report.step("crates to publish", || publish::step(root)),
+        };
+    }
 }
 
 /// Desktop platforms that are compiled but not run, which needs no linker.
-const DESKTOPS: &[&str] = &["x86_64-pc-windows-msvc", "aarch64-apple-darwin"];
+const DESKTOPS: &[&str] = &["x86_64-pc-windows-msvc", "aarch64-apple-darwin", "x86_64-apple-darwin"];
 /// The repository's own tools, which are not built for other platforms.
 const NOT_SHIPPED: &[&str] = &["xtask", "gonio-bench", "gonio-web-bindgen"];
 
@@ -40,6 +77,7 @@ pub fn run(extent: Extent) -> ExitCode {
     match extent {
         Extent::Web(build) => page(&mut report, &root, build, false),
         Extent::House => house(&mut report, &root),
+        Extent::Only(extra) => extra.run(&mut report, &root),
         Extent::Fast => {
             house(&mut report, &root);
             cargo_steps(&mut report, &root, extent);
@@ -48,6 +86,9 @@ pub fn run(extent: Extent) -> ExitCode {
             house(&mut report, &root);
             let built = cargo_steps(&mut report, &root, extent);
             page(&mut report, &root, Build::Shipped, built);
+            if extent == Extent::All {
+                Extra::Archive.run(&mut report, &root);
+            }
         }
     }
     print!("\n{}", report.summary());
@@ -94,6 +135,8 @@ fn cargo_steps(report: &mut Report, root: &Path, extent: Extent) -> bool {
         for target in DESKTOPS {
             report.step(target, || check_desktop(root, target));
         }
+        Extra::Windows.run(report, root);
+        Extra::Crates.run(report, root);
     }
     if let Some(page_build) = page_build {
         page_build.wait();
@@ -141,6 +184,7 @@ fn house(report: &mut Report, root: &Path) {
     report.step("examples are tests", || Findings::of_complaints(&text::check_examples(&files)));
     report.step("texts have uses", || Findings::of_complaints(&translations::check(&files)));
     report.step("third-party notices", || licenses::step(root));
+    report.step("workflows are pinned", || Findings::of_complaints(&workflows::check(&files)));
     report.step("no machine's paths", || Findings::of_complaints(&text::check_paths(&files)));
 }
 

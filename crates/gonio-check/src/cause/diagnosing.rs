@@ -19,7 +19,7 @@ use super::shown::Shown;
 use super::solutions::ModelSolutions;
 use super::target::{Highlight, RightPicture, Seen};
 use crate::comparison::{Lights, Parameterisation, Second, Task};
-use crate::mistakes::{Hypothesis, ModelSolution};
+use crate::mistakes::Hypothesis;
 use crate::roles::NamesFile;
 use crate::testbench::TestScene;
 use gonio_glsl::{Checked, Parsed, Span, Stage};
@@ -418,7 +418,7 @@ impl Diagnosing<'_> {
             let is_gouraud = self.hints.is_gouraud();
             // The usual one first among equals.
             all.sort_by_key(|(method, likeness)| {
-                let is_other_stage = self.task.model.is_lit() && (method.model == ModelSolution::Gouraud) != is_gouraud;
+                let is_other_stage = self.task.model.is_lit() && method.model.is_per_vertex() != is_gouraud;
                 (is_other_stage, std::cmp::Reverse(*likeness))
             });
             found = all.into_iter().map(|(method, _)| (method, Space::World)).collect();

@@ -12,7 +12,7 @@ use super::shown::Shown;
 use super::solutions::ModelSolutions;
 use super::target::{Seen, is_in_place};
 use crate::comparison::{Lights, Parameterisation};
-use crate::mistakes::{Hypothesis, ModelSolution};
+use crate::mistakes::Hypothesis;
 use crate::testbench::TestScene;
 use std::cell::Cell;
 use std::rc::Rc;
@@ -274,7 +274,7 @@ impl Explainer<'_> {
         // The few that are left deserve a second look, whatever is left for others.
         for (at, most) in [(quick, None), (&candidate.coarse, Some(MOST_COARSE))] {
             // More places cost more.
-            let vertices = if candidate.method.model == ModelSolution::Gouraud { 3 } else { 1 };
+            let vertices = if candidate.method.model.is_per_vertex() { 3 } else { 1 };
             let cost = vertices * runs * at.predictor.places(0) / quick.predictor.places(0);
             left.truncate(most.unwrap_or(self.pairs_left.get() / cost));
             self.pairs_left.set(self.pairs_left.get().saturating_sub(left.len() * cost));

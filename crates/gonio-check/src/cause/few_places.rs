@@ -18,17 +18,17 @@ const WHITE: f32 = 0.999;
 /// Places that exclude most pairs, if `open` strengths are fitted.
 pub(super) fn quick(model: ModelSolution, open: usize) -> usize {
     let places = 3 + 2 * open;
-    places.min(if model == ModelSolution::Gouraud { 4 } else { 8 })
+    places.min(if model.is_per_vertex() { 4 } else { 8 })
 }
 
 /// Places that exclude most single mistakes.
 pub(super) fn few(model: ModelSolution) -> usize {
-    if model == ModelSolution::Gouraud { 6 } else { 8 }
+    if model.is_per_vertex() { 6 } else { 8 }
 }
 
 /// Places in the telling test scene that exclude most hypotheses: each has three vertices of its own.
 pub(super) fn coarse(model: ModelSolution) -> usize {
-    if model == ModelSolution::Gouraud { 12 } else { 32 }
+    if model.is_per_vertex() { 12 } else { 32 }
 }
 
 /// Of the test scenes that may tell, the one whose seen colours differ most, and places there: half of them evenly spread, half the brightest.

@@ -14,7 +14,7 @@ pub(super) fn methods(task: &Task) -> Vec<AnswerMethod> {
     let mut all = Vec::new();
     for model in std::iter::once(task.model).chain(task.other.map(|(model, _)| model)) {
         all.push(plain(model));
-        if model != ModelSolution::Gouraud {
+        if !model.is_per_vertex() {
             all.push(AnswerMethod { normal_kept: true, ..plain(model) });
         }
         if model.has_exponent() && task.required[2] {
@@ -90,6 +90,7 @@ impl<'a> Hints<'a> {
         let model = match (self.task.model.is_lit(), self.is_gouraud()) {
             (true, true) if self.task.model.has_exponent() => ModelSolution::Gouraud,
             (true, false) if self.task.model.has_exponent() => ModelSolution::Phong,
+            (true, true) if self.task.model.has_roughness() => ModelSolution::WardPerVertex,
             _ => self.task.model,
         };
         let in_view = program.bindings.bound.iter().any(|bound| {

@@ -429,7 +429,7 @@ impl Observer<'_> {
                 && !q.values.is_same(&q.values.unit())
         });
         let id = match (seen.stage, self.model.method.model) {
-            (Stage::Vertex, ModelSolution::Gouraud) => "normal-not-normalised-in-vertex",
+            (Stage::Vertex, ModelSolution::Gouraud | ModelSolution::WardPerVertex) => "normal-not-normalised-in-vertex",
             (Stage::Fragment, _) => "normal-not-renormalised",
             _ => return None,
         };

@@ -168,7 +168,7 @@ pub(super) fn of_light(
     let put_out = assigned(solutions, (model, hypothesis), given, exponent)?;
     let exprs = STAGES.map(|stage| program.numbers(stage));
     let observed = observe(&Runner::new(program, given), &[], 0..given.len(), [&exprs[0], &exprs[1]]);
-    let of_model = if model == ModelSolution::Gouraud { Stage::Vertex } else { Stage::Fragment };
+    let of_model = if model.is_per_vertex() { Stage::Vertex } else { Stage::Fragment };
     let last = |is_asked: &dyn Fn(Stage) -> bool| {
         let asked = put_out.iter().filter(|(_, of)| is_asked(of.stage)).map(|(name, of)| (name.as_str(), of));
         output_with(program, &observed, asked, true).map(|seen| (seen.stage, expression(program, seen).span))

@@ -65,7 +65,12 @@ pub const TASKS: &[Task] = &[
     Task {
         attenuated: true,
         light_position: Vec3::new(1.0, 2.0, 1.5),
-        ..task("ex12", ModelSolution::Ward, None, [true, true, true])
+        ..task(
+            "ex12",
+            ModelSolution::Ward,
+            Some((ModelSolution::WardPerVertex, Some("gouraud-instead-of-phong"))),
+            [true, true, true],
+        )
     },
     task("s1", ModelSolution::Panorama, None, [false; 3]),
 ];
@@ -100,7 +105,9 @@ impl Task {
     /// alone. Also returns the number of scenes of the first and second kind.
     pub fn test_scenes(&self) -> (Vec<TestScene>, [usize; 2]) {
         let mut all = match self.model {
-            ModelSolution::Phong | ModelSolution::Gouraud | ModelSolution::Ward => scene::lit(),
+            ModelSolution::Phong | ModelSolution::Gouraud | ModelSolution::Ward | ModelSolution::WardPerVertex => {
+                scene::lit()
+            }
             ModelSolution::Reflection | ModelSolution::Refraction => scene::mirrored(),
             ModelSolution::Skybox => scene::skies(),
             ModelSolution::Camera | ModelSolution::Places => scene::cameras(),

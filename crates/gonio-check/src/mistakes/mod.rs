@@ -87,7 +87,7 @@ pub fn all() -> &'static [Mistake] {
 
 /// Returns the mistakes that can be made in a model.
 pub fn for_model(model: ModelSolution) -> impl Iterator<Item = &'static Mistake> {
-    all().iter().filter(move |mistake| mistake.models.contains(&model.with_mistakes_of()))
+    all().iter().filter(move |mistake| model.has_mistakes_of(&mistake.models))
 }
 
 /// Returns the first mistake with this id.
@@ -105,6 +105,8 @@ pub enum ModelSolution {
     Gouraud,
     /// The light equation per fragment, with Ward's BRDF instead of Phong's highlight.
     Ward,
+    /// The same per vertex. Its mistakes are those of both.
+    WardPerVertex,
     /// A mirror.
     Reflection,
     /// Glass with one refracting surface.
@@ -144,6 +146,7 @@ impl ModelSolution {
             ModelSolution::Phong => [shader!("phong.vert"), shader!("phong.frag")],
             ModelSolution::Gouraud => [shader!("gouraud.vert"), shader!("gouraud.frag")],
             ModelSolution::Ward => [shader!("phong.vert"), shader!("ward.frag")],
+            ModelSolution::WardPerVertex => [shader!("ward_per_vertex.vert"), shader!("gouraud.frag")],
             ModelSolution::Reflection => [shader!("mirror.vert"), shader!("reflection.frag")],
             ModelSolution::Refraction => [shader!("mirror.vert"), shader!("refraction.frag")],
             ModelSolution::Skybox => [shader!("skybox.vert"), shader!("skybox.frag")],
@@ -155,7 +158,12 @@ impl ModelSolution {
 
     /// Whether it computes light from lights.
     pub fn is_lit(self) -> bool {
-        matches!(self, ModelSolution::Phong | ModelSolution::Gouraud | ModelSolution::Ward)
+        self.has_exponent() || self.has_roughness()
+    }
+
+    /// Whether it computes light in the vertex shader.
+    pub fn is_per_vertex(self) -> bool {
+        matches!(self, ModelSolution::Gouraud | ModelSolution::WardPerVertex)
     }
 
     /// Whether its highlight is a power of a cosine: that of the reflected direction or, as well, of the half vector.
@@ -165,7 +173,7 @@ impl ModelSolution {
 
     /// Whether its highlight depends on a roughness.
     pub fn has_roughness(self) -> bool {
-        self == ModelSolution::Ward
+        matches!(self, ModelSolution::Ward | ModelSolution::WardPerVertex)
     }
 
     /// Whether its colour is a cubemap lookup.
@@ -173,11 +181,16 @@ impl ModelSolution {
         matches!(self, ModelSolution::Skybox | ModelSolution::Reflection | ModelSolution::Refraction)
     }
 
-    /// Returns the model solution whose mistakes apply to this one.
-    pub fn with_mistakes_of(self) -> ModelSolution {
+    /// Whether a mistake of these model solutions can be made in this one.
+    fn has_mistakes_of(self, models: &[ModelSolution]) -> bool {
         match self {
-            ModelSolution::Places => ModelSolution::Camera,
-            other => other,
+            ModelSolution::Places => models.contains(&ModelSolution::Camera),
+            // Lines that both of them have, and those of Ward's formula.
+            ModelSolution::WardPerVertex => {
+                models == [ModelSolution::Ward]
+                    || [ModelSolution::Ward, ModelSolution::Gouraud].iter().all(|model| models.contains(model))
+            }
+            other => models.contains(&other),
         }
     }
 

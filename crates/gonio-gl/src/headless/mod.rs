@@ -1,14 +1,19 @@
-//! Contexts without a window: by EGL on Linux and other Unixes, by a hidden window on Windows and macOS.
+//! Contexts without a window: by EGL on Linux and other Unixes, by CGL on macOS, by WGL and a hidden window on Windows. Any thread
+//! may have them, and a process any number.
 
+#[cfg(target_os = "macos")]
+mod cgl;
 #[cfg(all(unix, not(target_os = "macos")))]
 mod egl;
-#[cfg(any(windows, target_os = "macos"))]
-mod glutin_window;
+#[cfg(windows)]
+mod wgl;
 
+#[cfg(target_os = "macos")]
+use cgl::HeadlessPlatform;
 #[cfg(all(unix, not(target_os = "macos")))]
 use egl::HeadlessPlatform;
-#[cfg(any(windows, target_os = "macos"))]
-use glutin_window::HeadlessPlatform;
+#[cfg(windows)]
+use wgl::HeadlessPlatform;
 
 use crate::{Gl, GlError, Remedy};
 use std::path::PathBuf;

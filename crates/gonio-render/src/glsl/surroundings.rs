@@ -1,6 +1,6 @@
 //! The environment in programs: reflections, refractions, its light, and the sky.
 
-use super::{BRDF, ENVIRONMENT_LIGHT, FRESNEL, OPTICS, SceneKey, bit, define};
+use super::{BRDF, ENVIRONMENT_LIGHT, FRESNEL, FUNCTION_LIGHT, OPTICS, SceneKey, bit, define};
 use super::{MapSet, Reflectance};
 use crate::shader_text::shader_text;
 use gonio_gl::Dialect;
@@ -9,6 +9,7 @@ use gonio_light::Specular;
 const SURROUNDINGS: &str = shader_text!("../../shaders/surroundings.glsl");
 const SIGHT: &str = shader_text!("../../shaders/sight.glsl");
 const ENVIRONMENT_LIGHTING: &str = shader_text!("../../shaders/environment_lighting.glsl");
+const FUNCTION_LIGHTING: &str = shader_text!("../../shaders/function_lighting.glsl");
 const BODY: &str = shader_text!("../../shaders/body.glsl");
 const SKY_VERT: &str = shader_text!("../../shaders/sky.vert");
 const SKY_FRAG: &str = shader_text!("../../shaders/sky.frag");
@@ -70,8 +71,8 @@ impl SurroundingsKey {
     }
 
     /// The functions that a fragment shader needs before `main`. A vertex-lit one also needs the functions that other fragment
-    /// shaders contain anyway.
-    pub(super) fn functions(self, vertex_lit: bool) -> String {
+    /// shaders contain anyway. `material_brdf` is the text of the material's own BRDF, if it has one.
+    pub(super) fn functions(self, vertex_lit: bool, material_brdf: Option<&str>) -> String {
         if self == SurroundingsKey::NONE {
             return String::new();
         }
@@ -83,8 +84,14 @@ impl SurroundingsKey {
         if self.sight != SurfaceOptics::Nothing {
             text += SIGHT;
         }
-        if self.lights {
-            text += ENVIRONMENT_LIGHTING;
+        match material_brdf.filter(|_| self.lights) {
+            Some(function) => {
+                text += if vertex_lit { function } else { "" };
+                text += FUNCTION_LIGHT;
+                text += FUNCTION_LIGHTING;
+            }
+            None if self.lights => text += ENVIRONMENT_LIGHTING,
+            None => {}
         }
         text
     }

@@ -216,9 +216,9 @@ impl Pass<'_> {
         program.set_f32("opacity", m.opacity);
         program.set_f32("refraction_index", m.refraction_index);
         if let Some(brdf) = &material.brdf {
-            program.set_dvec3("stand_in_diffuse", brdf.stand_in.diffuse);
-            program.set_dvec3("stand_in_specular", brdf.stand_in.specular);
-            program.set_f32("stand_in_shininess", brdf.stand_in.shininess as f32);
+            if let Some(around) = self.around.as_ref().filter(|_| key.surroundings.lights) {
+                around.set_function(program, brdf);
+            }
             let gl = &self.shared.gl;
             if let Some(table) = brdf.table.as_ref().and_then(|table| self.scene.table(table)) {
                 gl.active_texture(glow::TEXTURE0 + texture_unit("merl_table"));

@@ -6,12 +6,13 @@ use crate::glsl::{SurfaceOptics, SurroundingsKey, fresnel_number, sky_sources, t
 use crate::scene_on_gpu::{GpuObject, GpuScene};
 use glam::DMat3;
 use gonio_environment::BrdfTable;
+use gonio_environment::small_lights::MOST_LIGHTS;
 use gonio_gl::objects::DebugGroup;
 use gonio_gl::program::Program;
 use gonio_gl::target::{SamplesOf, Target};
 use gonio_gl::{Gl, GlError};
 use gonio_light::{Optics, Surfaces};
-use gonio_scene::{Frame, SceneMaterial, Surroundings, TextureFilter};
+use gonio_scene::{Frame, MaterialBrdf, SceneMaterial, Surroundings, TextureFilter};
 use std::rc::Rc;
 
 /// A frame's environment, bound until it is dropped.
@@ -33,7 +34,7 @@ impl<'a> BoundEnvironment<'a> {
             return Ok(None);
         };
         // Computed at the first use, which takes a second.
-        let any_gloss = || scene.materials.iter().any(|m| m.material.specular != [0.0; 3]);
+        let any_gloss = || scene.materials.iter().any(|m| m.brdf.is_none() && m.material.specular != [0.0; 3]);
         let needs_gloss = surroundings.lights && frame.equation.terms.specular && any_gloss();
         let gloss = needs_gloss.then(|| textures.gloss(gl)).transpose()?;
         gloss.map_or(&textures.map, |gloss| &gloss.map).bind(gl, texture_unit("glossy_map"));
@@ -41,6 +42,9 @@ impl<'a> BoundEnvironment<'a> {
             gl.active_texture(glow::TEXTURE0 + texture_unit("environment_brdf"));
             gl.bind_texture(glow::TEXTURE_2D, Some(gloss.brdf.handle()));
         }
+        let any_function = || scene.materials.iter().any(|m| m.brdf.is_some());
+        let for_functions = if surroundings.lights && any_function() { textures.rest(gl)? } else { &textures.map };
+        for_functions.bind(gl, texture_unit("function_map"));
         let mipmapped = matches!(frame.texture_filter, TextureFilter::Mipmap | TextureFilter::Anisotropic);
         textures.map.bind(gl, texture_unit("environment_map"));
         Ok(Some(BoundEnvironment { textures, surroundings, mipmapped, gloss, _seamless: Seamless::new(gl) }))
@@ -74,11 +78,33 @@ impl<'a> BoundEnvironment<'a> {
             program.set_f32("glossy_last_level", self.gloss.map_or(0, |gloss| gloss.map.last_level) as f32);
             program.set_f32("environment_brdf_size", BrdfTable::SIZE as f32);
             program.set_f32("environment_diffuse_switch", switch(frame.equation.terms.diffuse));
-            program.set_f32("environment_specular_switch", switch(self.gloss.is_some()));
+            program.set_f32("environment_specular_switch", switch(frame.equation.terms.specular));
         }
         program.set_mat3("environment_from_world", &self.surroundings.environment_from_world.as_mat3());
         program.set_f32("environment_intensity", self.surroundings.intensity as f32);
         program.set_f32("environment_half_size", 0.5 * self.textures.map.size as f32);
+    }
+
+    /// Sets the lobe of a material with a BRDF of its own: of wide ones, small lights are points.
+    pub fn set_function(&self, program: &Program, brdf: &MaterialBrdf) {
+        let lobe = brdf.lobe();
+        let [ax, ay] = lobe.alpha.map(|alpha| alpha as f32);
+        let leans = if lobe.lean.is_some() { 1.0 } else { 0.0 };
+        program.set_vec4("function_lobe", [ax, ay, lobe.lean.unwrap_or(0.0) as f32, leans]);
+        program.set_i32("function_lobe_count", lobe.lobe_count as i32);
+        program.set_i32("function_cosine_count", lobe.cosine_count as i32);
+        let map = if lobe.is_wide() { "function_map" } else { "environment_map" };
+        program.set_i32("function_map", texture_unit(map) as i32);
+        let lights = if lobe.is_wide() { self.textures.small_lights() } else { &[] };
+        program.set_i32("small_light_count", lights.len() as i32);
+        let world_from_environment = self.surroundings.environment_from_world.transpose();
+        let [mut directions, mut irradiances] = [[[0.0_f32; 3]; MOST_LIGHTS]; 2];
+        for (light, (direction, irradiance)) in lights.iter().zip(directions.iter_mut().zip(&mut irradiances)) {
+            *direction = (world_from_environment * light.direction).as_vec3().to_array();
+            *irradiance = light.irradiance.as_vec3().to_array();
+        }
+        program.set_vec3_array("small_light_directions[0]", &directions);
+        program.set_vec3_array("small_light_irradiances[0]", &irradiances);
     }
 
     /// Sets a material's optics.

@@ -12,9 +12,10 @@ use gonio_gl::target::OutputTarget;
 use gonio_gl::{Dialect, Texels};
 use gonio_light::brdf::{BrdfKind, BrdfSettings};
 use gonio_light::color::{ColorEncoding, OutputTransform, ToneMap, srgb_decode, srgb_encode};
+use gonio_light::function_light::FunctionLobe;
 use gonio_light::microfacet::roughness_of_shininess;
 use gonio_light::optics::{Fresnel, Optics, Sight, boundary, reflectance};
-use gonio_light::{Attenuation, ShadingPoint, Surface, light, microfacet, optics, vector};
+use gonio_light::{Attenuation, ShadingPoint, Surface, function_light, light, microfacet, optics, vector};
 
 /// Parameters of one call: four texels.
 pub(super) type Case = [[f32; 4]; 4];
@@ -400,5 +401,42 @@ fn middles_of_lobes() {
     compare("dominant_direction", body, &some, 1e-6, |c| {
         let middle = dominant_direction(vec(c[0]), vec(c[1]), c[1][3].into());
         [middle.x, middle.y, middle.z, 0.0]
+    });
+}
+
+/// The directions of an environment's light on functions, their density, and the level of a lookup.
+#[test]
+fn directions_for_functions() {
+    let cases = cases(|numbers| {
+        let leans = if numbers.unit() < 0.5 { 1.0 } else { 0.0 };
+        let ax = numbers.scale(0.01, 1.0);
+        let ay = if leans > 0.0 { ax } else { numbers.scale(0.01, 1.0) };
+        let lobe = [ax, ay, 2.0 * numbers.unit() - 1.0, leans];
+        let u = [numbers.unit(), numbers.unit()];
+        let view = numbers.direction();
+        let light = numbers.direction();
+        [lobe, texel(view, u[0]), texel(light.with_z(light.z.abs()), u[1]), [numbers.scale(1e-4, 6.0), 128.0, 0.0, 0.0]]
+    });
+    let lobe_of = |case: &Case| FunctionLobe {
+        alpha: [case[0][0].into(), case[0][1].into()],
+        lean: (case[0][3] > 0.5).then_some(case[0][2].into()),
+        lobe_count: 1,
+        cosine_count: 0,
+    };
+    let body = "vec4 run(vec4 a, vec4 b, vec4 c, vec4 d) {\n\
+                vec3 v = raised_view(b.xyz);\n\
+                return vec4(lobe_direction(a, v, vec2(b.w, c.w)), lookup_level(d.y, c.xyz, d.x));\n}";
+    // Directions near the smallest z of a cap lose digits in f32.
+    compare("lobe_direction", body, &cases, 2e-3, |case| {
+        let view = function_light::raised_view(vec(case[1]));
+        let direction = lobe_of(case).direction(view, [case[1][3].into(), case[2][3].into()]);
+        direction.extend(function_light::lookup_level(128.0, vec(case[2]), case[3][0].into())).to_array()
+    });
+    let body = "vec4 run(vec4 a, vec4 b, vec4 c, vec4 d) {\n\
+                return vec4(lobe_density(a, raised_view(b.xyz), c.xyz), cosine_direction(vec2(b.w, c.w)));\n}";
+    compare("lobe_density", body, &cases, 2e-3, |case| {
+        let density = lobe_of(case).density(function_light::raised_view(vec(case[1])), vec(case[2]));
+        let cosine = function_light::cosine_direction([case[1][3].into(), case[2][3].into()]);
+        [density, cosine.x, cosine.y, cosine.z]
     });
 }

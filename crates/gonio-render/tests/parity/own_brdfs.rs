@@ -86,21 +86,36 @@ fn directions_of_anisotropic_models() {
     }
 }
 
+/// Sums over directions, small lights, narrow lobes that see the sun itself, lobes about a leaning axis and anisotropic ones; light
+/// from vertices, surfaces that also mirror, and OpenGL ES.
 #[test]
-fn an_environment_lights_what_stands_in() {
-    let mut bench = Bench::new();
-    let environment = "[environment]\nimage = \"sky\"\nlight = true\n";
-    for text in ["ggx:alpha=0.3", "oren-nayar", "ward:a=0.3,b=0.4"] {
-        let lights = format!("{environment}{}", lights("point"));
-        let scene = scene_from(
-            "position = [1.5, 2.0, 5.0]\ntarget = [0.1, 0.2, 0.0]",
-            "",
-            &lights,
-            &object("sphere-coarse-averaged", "phong", &brdf(text)),
+fn environments_light_functions() {
+    for (es, environment, text, shading, extra) in [
+        (false, "sky", "ggx:alpha=0.3", "phong", ""),
+        (false, "room", "ggx:f0=0.9/0.6/0.3,alpha=0.1", "phong", ""),
+        (false, "sky", "oren-nayar", "flat", ""),
+        (false, "sky", "ward:a=0.3,b=0.4", "gouraud", ""),
+        (true, "sky", "ward-anisotropic:cx=0.1,cy=0.4,b=0.5/0.4/0.3", "phong", ""),
+        (false, "room", "lafortune:ax=0.8,ay=0.7", "phong", ""),
+        (true, "room", "disney:", "flat-per-face", ""),
+        (false, "sky", "ggx:alpha=0.03", "phong", ""),
+        (false, "sky", "beckmann:alpha=0.3", "phong", ", reflectivity = 0.3"),
+    ] {
+        let mut bench = Bench::with(es);
+        let lights = format!(
+            "[environment]\nimage = \"{environment}\"\nlight = true\nrotate = [30, 10, 0]\n{}",
+            lights("point")
         );
+        let object = |material: &str| object("sphere-coarse-averaged", shading, &format!("{material}{extra}"));
+        let camera = "position = [1.5, 2.0, 5.0]\ntarget = [0.1, 0.2, 0.0]";
+        let scene = scene_from(camera, "", &lights, &object(&brdf(text)));
         let c = bench.compare(&scene, None);
+        let name = format!("{text} in {environment}, es {es}");
         // The tolerance of environment light in `environment.rs`: f32 in cubemaps.
-        assert!(c.interior >= 200 && c.worst.0 <= 4e-3, "{text}: {} {}", c.worst.0, c.worst.1);
+        assert!(c.interior >= 200 && c.worst.0 <= 4e-3, "{name}: {} {}", c.worst.0, c.worst.1);
+        assert!(c.close >= 0.995, "{name}: only {:.3} % of the pixels are within 1/255", 100.0 * c.close);
+        let unlit = scene_from(camera, "", &lights.replace("light = true", "light = false"), &object(&brdf(text)));
+        assert!(picture(&scene) != picture(&unlit), "{name}: the environment shows");
     }
 }
 

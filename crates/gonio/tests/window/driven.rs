@@ -58,7 +58,7 @@ impl Window {
         inputs: &[&str],
         set: impl FnOnce(&mut Command),
     ) -> Window {
-        let screen = Screen::new([width, height]).unwrap();
+        let screen = Screen::new([width, height], &[]).unwrap();
         let mut command = Command::new(env!("CARGO_BIN_EXE_gonio"));
         command
             .args(words)

@@ -6,7 +6,10 @@ use crate::scene_view::{Projection, paint};
 use crate::theme::{self, colors};
 use crate::widgets::compact;
 use egui::epaint::{Mesh, Vertex, WHITE_UV};
-use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Sense, Shape, Stroke, StrokeKind, Ui, Vec2, pos2, vec2};
+use egui::text::LayoutJob;
+use egui::{
+    Align, Align2, Color32, FontId, Painter, Pos2, Rect, Sense, Shape, Stroke, StrokeKind, Ui, Vec2, pos2, vec2,
+};
 use gonio_language::tr;
 use gonio_light::DVec3;
 use gonio_light::vector::{any_orthonormal_vector, unit_or};
@@ -14,9 +17,16 @@ use std::f64::consts::TAU;
 
 /// Length of the largest value, as a share of the picture's height.
 const LENGTH: f64 = 1.0 / 6.0;
-/// Size of the inset in points, and of the smallest pane that has one.
+/// Size of the inset in points.
 const INSET: Vec2 = vec2(196.0, 172.0);
-const LEAST_PANE: Vec2 = vec2(300.0, 300.0);
+/// The smallest share of it that is drawn: letters and arrows still keep apart.
+const LEAST_SCALE: f32 = 0.5;
+/// Free space along the left and right sides of a pane, and along the top and bottom, where its own labels are.
+const FREE: Vec2 = vec2(8.0, 44.0);
+/// Distance to the pinned point, whose arrows need room.
+const BESIDE: f32 = 90.0;
+/// Distances above or below it, in panes that have no room beside it: the least, and the one where there is room enough.
+const ABOVE: [f32; 2] = [24.0, 72.0];
 /// The angle by which the inset looks down on the surface, radians.
 const RISE: f64 = 0.22;
 
@@ -73,6 +83,7 @@ fn surface(
 pub fn inset(ui: &Ui, projection: &Projection, lobe: &SurfaceLobe, (pane, name): (usize, &str)) {
     let room = projection.rect();
     let Some(rect) = inset_place(room, projection.to_window(lobe.point.position)) else { return };
+    let scale = rect.width() / INSET.x;
     let painter = ui.painter_at(room);
     painter.rect_filled(rect, 7.0, Color32::from_black_alpha(190));
     painter.rect_stroke(rect, 7.0, Stroke::new(1.0, Color32::from_white_alpha(40)), StrokeKind::Inside);
@@ -82,7 +93,21 @@ pub fn inset(ui: &Ui, projection: &Projection, lobe: &SurfaceLobe, (pane, name):
     let right = unit_or(lobe.point.view - n * n.dot(lobe.point.view), any_orthonormal_vector(n));
     let away = n.cross(right);
     let to_viewer = RISE.sin() * n - RISE.cos() * away;
-    let (center, radius) = (pos2(rect.center().x, rect.bottom() - 46.0), 82.0);
+    let share = 100.0 * lobe.eye_share();
+    let text = tr!("scene-towards-v-of-the-peak", value = compact(lobe.to_eye), share = format!("{share:.0}"));
+    let ink = Color32::from_gray(235);
+    let lines = |text: &str, size: f32, rows: usize, align: Align| {
+        let mut job = LayoutJob::simple(text.to_owned(), FontId::proportional(size), ink, rect.width() - 14.0);
+        job.wrap.max_rows = rows;
+        job.halign = align;
+        painter.layout_job(job)
+    };
+    let below = lines(&text, 11.0, 2, Align::Center);
+    let above = lines(name, 11.5, 1, Align::Min);
+    // The surface is seen from slightly above, so that a third of the radius stays free below its centre.
+    let bottom = rect.bottom() - below.size().y - 8.0;
+    let radius = (82.0 * scale).min(0.72 * (bottom - rect.top() - above.size().y - 9.0));
+    let center = pos2(rect.center().x, bottom - 0.3 * radius);
     let place = |offset: DVec3| -> Placed {
         let (x, y) = (offset.dot(right), offset.dot(n) * RISE.cos() + offset.dot(away) * RISE.sin());
         (center + radius * vec2(x as f32, -y as f32), offset.dot(to_viewer))
@@ -103,33 +128,42 @@ pub fn inset(ui: &Ui, projection: &Projection, lobe: &SurfaceLobe, (pane, name):
         let color = tint.in_theme(true);
         let tip = place(direction * 1.02).0;
         paint::arrow(&painter, center, tip, 1.6, color);
-        let beyond = tip + (tip - center).normalized() * 10.0;
+        let beyond = tip + (tip - center).normalized() * (3.0 + 7.0 * scale);
         painter.text(beyond, Align2::CENTER_CENTER, letter, theme::math_italic_font(14.0), color);
     }
     let eye = place(lobe.point.view * lobe.eye_share()).0;
     painter.circle(eye, 4.0, colors::VIEW.in_theme(true), Stroke::new(1.5, Color32::WHITE));
 
-    let share = 100.0 * lobe.eye_share();
-    let text = tr!("scene-towards-v-of-the-peak", value = compact(lobe.to_eye), share = format!("{share:.0}"));
-    let ink = Color32::from_gray(235);
-    let below = rect.center_bottom() - vec2(0.0, 8.0);
-    painter.text(below, Align2::CENTER_BOTTOM, &text, FontId::proportional(11.0), ink);
-    painter.text(rect.left_top() + vec2(9.0, 7.0), Align2::LEFT_TOP, name, FontId::proportional(11.5), ink);
+    painter.galley(pos2(rect.center().x, bottom + 2.0), below, ink);
+    painter.galley(rect.left_top() + vec2(9.0, 7.0), above, ink);
     let response = ui.interact(rect, ui.scope_id().with(("lobe", pane)), Sense::hover());
     exported::note(ui, &response, &format!("lobe-{pane}"), WidgetRole::Picture, &text, lobe.to_eye);
 }
 
-/// The place of the inset: beside the point, on the side with more room. `None` in a pane that is too small.
+/// The place of the inset: beside the point, on the side with more room; smaller, and above or below the point, in a narrow pane.
+/// `None` in a pane that is too small.
 fn inset_place(room: Rect, point: Option<Pos2>) -> Option<Rect> {
-    if room.width() < LEAST_PANE.x || room.height() < LEAST_PANE.y {
+    let inner = room.shrink2(FREE);
+    let scale = (inner.width() / INSET.x).min(inner.height() / INSET.y).min(1.0);
+    // NaN is not large enough either.
+    if scale.is_nan() || scale < LEAST_SCALE {
         return None;
     }
+    let size = INSET * scale;
     let point = point.unwrap_or(room.center());
-    let left = if point.x > room.center().x { point.x - INSET.x - 90.0 } else { point.x + 90.0 };
-    let inner = room.shrink2(vec2(8.0, 44.0));
-    let x = left.clamp(inner.left(), (inner.right() - INSET.x).max(inner.left()));
-    let y = (point.y - 0.5 * INSET.y).clamp(inner.top(), (inner.bottom() - INSET.y).max(inner.top()));
-    Some(Rect::from_min_size(pos2(x, y), INSET))
+    let widest_side = (point.x - inner.left()).max(inner.right() - point.x);
+    let low = if widest_side >= size.x + BESIDE {
+        let left = if point.x > room.center().x { point.x - size.x - BESIDE } else { point.x + BESIDE };
+        pos2(left, point.y - 0.5 * size.y)
+    } else {
+        let is_above = point.y > room.center().y;
+        let free = if is_above { point.y - inner.top() } else { inner.bottom() - point.y };
+        let gap = (free - size.y).clamp(ABOVE[0], ABOVE[1]);
+        let top = if is_above { point.y - size.y - gap } else { point.y + gap };
+        pos2(point.x - 0.5 * size.x, top)
+    };
+    let most = (inner.right_bottom() - size).max(inner.left_top());
+    Some(Rect::from_min_size(low.clamp(inner.left_top(), most), size))
 }
 
 #[cfg(test)]
@@ -147,6 +181,26 @@ mod tests {
         }
         let beside = inset_place(room, Some(pos2(200.0, 270.0)));
         assert!(beside.is_some_and(|rect| !rect.contains(pos2(200.0, 270.0))));
-        assert_eq!(inset_place(Rect::from_min_size(Pos2::ZERO, vec2(200.0, 500.0)), None), None);
+    }
+
+    /// Half of a phone, a third of a window, a flat pane: the inset is smaller and does not hide the point; below that there is none.
+    #[test]
+    fn narrow_panes_have_a_smaller_inset() {
+        for (size, expected) in [
+            (vec2(180.0, 600.0), 164.0),
+            (vec2(299.0, 500.0), 196.0),
+            (vec2(120.0, 400.0), 104.0),
+            (vec2(600.0, 190.0), 196.0 * 102.0 / 172.0),
+        ] {
+            let room = Rect::from_min_size(pos2(5.0, 7.0), size);
+            for share in [0.2, 0.5, 0.8] {
+                let point = room.lerp_inside(vec2(0.5, share));
+                let rect = inset_place(room, Some(point)).unwrap_or(Rect::NOTHING);
+                assert!((rect.width() - expected).abs() < 0.5 && room.contains_rect(rect), "{size} {share}: {rect}");
+                assert!(size.y < 200.0 || !rect.contains(point), "{size} {share}: {rect} hides {point}");
+            }
+        }
+        assert_eq!(inset_place(Rect::from_min_size(Pos2::ZERO, vec2(100.0, 500.0)), None), None);
+        assert_eq!(inset_place(Rect::from_min_size(Pos2::ZERO, vec2(500.0, 150.0)), None), None);
     }
 }
