@@ -9,11 +9,12 @@ use gonio_app::exercise::Start;
 use gonio_app::exported;
 use gonio_app::files::ExerciseFile;
 use gonio_app::session::Tab;
+use gonio_check::feedback::Feedback;
 use gonio_exercises::exercise;
 use gonio_language::{Language, name_id, text_in};
 use std::collections::BTreeSet;
 use std::time::Duration;
-use support::Window;
+use support::{Here, Window};
 
 /// Words that are English and not French.
 const ENGLISH: &[&str] = &[
@@ -210,7 +211,8 @@ fn a_student_s_evening_works_with_the_keyboard_alone() {
 #[test]
 fn the_proven_fix_is_applied_with_the_keyboard_alone() {
     Language::French.make_current();
-    let mut window = Window::with("builtin:cube", vec2(1280.0, 800.0));
+    let here = Here { feedback: Some(Feedback::Fix), ..Here::default() };
+    let mut window = Window::on(here, "builtin:cube", vec2(1280.0, 800.0));
     let ctx = window.harness.ctx.clone();
     let files = exercise::find("ex04").unwrap().reference_files().unwrap().into_iter().map(|(name, text)| {
         ExerciseFile { name: name.to_owned(), bytes: text.replace("mat3(itM)", "mat3(M)").into_bytes(), path: None }
@@ -226,15 +228,6 @@ fn the_proven_fix_is_applied_with_the_keyboard_alone() {
     window.tab_to("hints-fix");
     window.press(Modifiers::NONE, Key::Enter);
     window.steps(2);
-    eprintln!(
-        "{:?}",
-        window
-            .app()
-            .exercise()
-            .work
-            .as_ref()
-            .map(|work| (work.hints, work.judged.as_ref().map(|j| j.verdict.as_ref().map(|v| v.proposed_fix.clone()))))
-    );
     window.tab_to("apply-fix");
     window.press(Modifiers::NONE, Key::Enter);
     window.steps(2);
