@@ -120,7 +120,8 @@ fn rebound(loaded: &Scene, scene: &SceneSettings, known: &[(usize, usize)]) -> O
         .zip(known)
         .map(|(object, &(model, mesh))| {
             let parts = cache.meshes[mesh].any().map(|mesh| mesh.parts.as_slice()).unwrap_or_default();
-            binder.add_object(model, object, parts, &MaterialSource::of_cached(&cache.models[model]))
+            let source = MaterialSource::of_cached(&cache.models[model]);
+            binder.add_object(model, object, parts, &source, Readers::ALL.own_material)
         })
         .collect();
     let bound = binder.recall(&cache.textures)?;

@@ -170,7 +170,13 @@ pub fn load_by(
     let folders: Vec<Vec<PathBuf>> = models.iter().map(ModelFile::texture_folders).collect();
     for (object, &m) in scene.objects.iter().zip(&model_of_object) {
         let source = MaterialSource::of_file(&models[m], &folders[m], &used[m]);
-        materials_of_parts.push((readers.materials)(&mut binder, m, object, &models[m].model.mesh.parts, &source));
+        materials_of_parts.push(binder.add_object(
+            m,
+            object,
+            &models[m].model.mesh.parts,
+            &source,
+            readers.own_material,
+        ));
     }
     let of_object =
         |&m: &usize| NamedParts { parts: &models[m].model.mesh.parts, materials: &models[m].model.materials };

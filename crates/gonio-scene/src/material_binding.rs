@@ -124,32 +124,22 @@ impl<'a> MaterialBinder<'a> {
         MaterialBinder { library, brdfs, pending: Vec::new(), known: Vec::new(), known_parts: Vec::new() }
     }
 
-    /// The materials of an object whose model is `from`, numbered `index`; returns the material of each of its `parts`.
+    /// The materials of an object whose model is `from`, numbered `index`; returns the material of each of its `parts`. `own` finds the
+    /// values for one part.
     pub fn add_object(
         &mut self,
         index: usize,
         object: &ObjectSpec,
         parts: &[Part],
         from: &MaterialSource<'_>,
+        own: fn(PartName<'_>, &ObjectSpec) -> Option<MaterialOverride>,
     ) -> Vec<usize> {
         let first = self.add(index, &object.material, from);
         let of_part = |part: &Part| {
-            let own = PartName::of(part, from.materials).material_in(object);
+            let own = own(PartName::of(part, from.materials), object);
             own.map_or(first + part.material, |with| self.add_one(index, part.material, &with, from))
         };
         parts.iter().map(of_part).collect()
-    }
-
-    /// [`Self::add_object`] without materials of single parts.
-    pub fn add_alike(
-        &mut self,
-        index: usize,
-        object: &ObjectSpec,
-        parts: &[Part],
-        from: &MaterialSource<'_>,
-    ) -> Vec<usize> {
-        let first = self.add(index, &object.material, from);
-        parts.iter().map(|part| first + part.material).collect()
     }
 
     /// One material of a model, with an override of its own; returns its index.

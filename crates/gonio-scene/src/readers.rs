@@ -4,12 +4,10 @@ use crate::environment_file::{self, ReadEnvironment};
 use crate::files::{Budget, Budgeted, FileSource};
 use crate::image_file::{self, Decoded, MAX_TEXTURE_SIDE};
 use crate::input_kind;
-use crate::material_binding::{MaterialBinder, MaterialSource};
 use crate::material_brdf::BrdfLibrary;
 use crate::model_file;
-use crate::part_material::{self, NamedParts};
+use crate::part_material::{self, NamedParts, PartName};
 use crate::scene_file::{EnvironmentSpec, MaterialOverride, ObjectSpec};
-use gonio_mesh::mesh::Part;
 use gonio_mesh::{Diagnostic, Format, Limits, Mesh, Model, ReadError, Sidecars, obj, tangents};
 use std::path::Path;
 
@@ -19,7 +17,7 @@ type ReadEnvironmentOf = fn(&EnvironmentSpec, &Path, &Budgeted<&dyn FileSource>)
 type ReadBrdf =
     fn(&mut BrdfLibrary, &MaterialOverride, &Path, &dyn FileSource, &mut Vec<Diagnostic>) -> Result<(), ReadError>;
 
-type BindParts = fn(&mut MaterialBinder<'_>, usize, &ObjectSpec, &[Part], &MaterialSource<'_>) -> Vec<usize>;
+type OwnMaterial = fn(PartName<'_>, &ObjectSpec) -> Option<MaterialOverride>;
 
 /// Readers of the files of a scene.
 ///
@@ -35,8 +33,8 @@ pub struct Readers {
     pub(crate) tangents: fn(&Mesh) -> Option<Mesh>,
     pub(crate) environment: ReadEnvironmentOf,
     pub(crate) brdf: ReadBrdf,
-    /// The material of each part of an object.
-    pub(crate) materials: BindParts,
+    /// The values of an object's material for one part, if it has some.
+    pub(crate) own_material: OwnMaterial,
     /// Warnings about names of parts that no model has.
     pub(crate) unknown_parts: fn(&[ObjectSpec], &[NamedParts<'_>]) -> Vec<Diagnostic>,
 }
@@ -63,7 +61,7 @@ impl Readers {
         tangents: tangents::with_tangents,
         environment: |spec, base, files| environment_file::load(spec, base, files),
         brdf: |brdfs, material, base, files, diagnostics| brdfs.add(material, base, files, diagnostics),
-        materials: |binder, index, object, parts, from| binder.add_object(index, object, parts, from),
+        own_material: |part, object| part.material_in(object),
         unknown_parts: part_material::unknown_parts,
     };
 
@@ -77,7 +75,7 @@ impl Readers {
         tangents: |_| None,
         environment: |_, _, _| Err(ReadError::new("environments cannot be read yet")),
         brdf: |_, _, _, _, _| Ok(()),
-        materials: |binder, index, object, parts, from| binder.add_alike(index, object, parts, from),
+        own_material: |_, _| None,
         unknown_parts: |_, _| Vec::new(),
     };
 }

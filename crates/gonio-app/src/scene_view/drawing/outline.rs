@@ -2,12 +2,12 @@
 //! difference of panes, the probe, a recorded frame) never sees it.
 
 use super::PaneRenderer;
-use super::pane::PaneDrawing;
 use crate::session::Session;
 use crate::theme::colors;
 use gonio_gl::{Gl, GlError};
-use gonio_render::{DisplayTexture, OutlinedPart, Presentation, Renderer};
-use gonio_scene::Camera;
+use gonio_render::{DisplayTexture, GpuScene, OutlinedPart, Presentation, Renderer};
+use gonio_scene::{Camera, Frame, Scene};
+use std::sync::Arc;
 
 /// The outline of one pane.
 #[derive(Default)]
@@ -28,30 +28,32 @@ struct Drawn {
     scene: (usize, f64),
 }
 
-impl PaneDrawing {
-    fn outline(
+impl OutlineDrawing {
+    /// The texture with the outline in a frame of the uploaded scene.
+    fn layer(
         &mut self,
         gl: &Gl,
         renderer: &mut Renderer,
+        (scene, uploaded): &(Arc<Scene>, GpuScene),
+        frame: &Frame,
         part: OutlinedPart,
-    ) -> Result<Option<&DisplayTexture>, GlError> {
-        let (Some((scene, uploaded)), Some((frame, _))) = (&self.uploaded, &self.drawn) else { return Ok(None) };
+    ) -> Result<&DisplayTexture, GlError> {
         let drawn = Drawn {
             size: [frame.width, frame.height],
             camera: frame.camera,
             part,
-            scene: (std::sync::Arc::as_ptr(scene) as usize, frame.time),
+            scene: (Arc::as_ptr(scene) as usize, frame.time),
         };
-        let layer = match &mut self.outline.layer {
+        let layer = match &mut self.layer {
             Some(layer) => layer,
             none => none.insert(DisplayTexture::new(gl, drawn.size)?),
         };
-        if self.outline.drawn.as_ref() != Some(&drawn) {
+        if self.drawn.as_ref() != Some(&drawn) {
             renderer.paint_outline(uploaded, frame, &part, layer)?;
-            self.outline.drawn = Some(drawn);
-            self.outline.serial += 1;
+            self.drawn = Some(drawn);
+            self.serial += 1;
         }
-        Ok(self.outline.layer.as_ref())
+        Ok(layer)
     }
 }
 
@@ -62,7 +64,9 @@ impl PaneRenderer {
             return Ok(None);
         };
         let color = colors::ACCENT.in_theme(dark).to_normalized_gamma_f32();
-        let layer = pane.outline(&self.gl, &mut self.renderer, OutlinedPart { object, part, color })?;
-        Ok(layer.map(|layer| self.presenter.presentation(layer.texture())))
+        let (Some(uploaded), Some((frame, _))) = (&pane.uploaded, &pane.drawn) else { return Ok(None) };
+        let part = OutlinedPart { object, part, color };
+        let layer = pane.outline.layer(&self.gl, &mut self.renderer, uploaded, frame, part)?;
+        Ok(Some(self.presenter.presentation(layer.texture())))
     }
 }
