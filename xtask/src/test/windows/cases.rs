@@ -5,9 +5,8 @@ use crate::cases::{Cases, PNG, Ran, begins_with, ensure, first_page, run};
 use crate::process;
 use serde_json::Value;
 use std::collections::BTreeSet;
-use std::io::Read;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
 /// The two programs.
@@ -17,7 +16,7 @@ pub struct Programs<'p> {
     pub native: &'p Path,
 }
 
-/// The window's first picture takes at most this long; only a window that never draws is ended by it.
+/// A window's picture and verdict take less; only a window that never shows them is ended by it.
 const PATIENCE: Duration = Duration::from_secs(300);
 /// Numbers of the two programs differ by their mathematical libraries' last digits.
 const NUMBERS: f64 = 1e-9;
@@ -51,6 +50,7 @@ const ALL: &[(&str, Check)] = &[
     ("a message in French", french),
     ("a page, served", serve),
     ("the window opens and draws", window),
+    ("the window checks an exercise after a click", window_checks),
 ];
 
 /// Runs them.
@@ -241,35 +241,78 @@ fn serve(p: &Programs) -> Result<(), String> {
 
 fn window(p: &Programs) -> Result<(), String> {
     let blank = colours(p)?;
-    let words = ["view", r"G:\models\suzanne.obj", "--state", r"G:\state.json", "--size", "900x620"];
-    let started = p.wine.gonio(&words).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::piped()).spawn();
-    let mut program = started.map_err(|error| error.to_string())?;
-    let start = Instant::now();
-    let drawn = loop {
-        let state: Value = p.bytes("state.json").ok().and_then(|b| serde_json::from_slice(&b).ok()).unwrap_or_default();
-        if state["frame"]["complete"] == true && state["busy"].is_null() {
-            break Ok(());
-        }
-        if let Ok(Some(status)) = program.try_wait() {
-            let mut text = String::new();
-            let _ = program.stderr.take().map(|mut err| err.read_to_string(&mut text));
-            break Err(format!("the window ended with {status}: {text}"));
-        }
-        if start.elapsed() > PATIENCE {
-            break Err(format!("no picture; the state is {:.500}", state.to_string()));
-        }
-        std::thread::sleep(Duration::from_millis(100));
-    };
+    let mut window = Window::open(p, &["view", r"G:\models\suzanne.obj"])?;
+    window.wait("a picture", |state| state["frame"]["complete"] == true && state["busy"].is_null())?;
     // The server may show a frame later than it was drawn.
-    let shown = drawn.and_then(|()| {
-        std::thread::sleep(Duration::from_secs(2));
-        colours(p)
-    });
-    let _ = program.kill();
-    let _ = program.wait();
-    let shown = shown?;
+    std::thread::sleep(Duration::from_secs(2));
+    let shown = colours(p)?;
     // Panels and text have a hundred colours, and a smoothly lit model some hundred more.
     ensure(blank < 10 && shown > 300, || format!("the screen has {shown} colours, and {blank} without the window"))
+}
+
+/// A click starts a check, which runs in a process of its own.
+fn window_checks(p: &Programs) -> Result<(), String> {
+    p.gonio(&["lab", "start", "ex04", r"G:\my exercise"])?.with_code(0)?;
+    let mut window = Window::open(p, &["lab", "open", "ex04", r"G:\my exercise"])?;
+    let state = window.wait("the exercise", |state| state["exercise"]["open"] == true)?;
+    let widgets = state["widgets"].as_array().cloned().unwrap_or_default();
+    let check = widgets.iter().find(|widget| widget["id"] == "check").ok_or("there is no button `check`")?;
+    let middle = |axis: usize| {
+        let rect = |index: usize| check["rect"][index].as_f64().unwrap_or_default();
+        (rect(axis) + rect(axis + 2) / 2.0).to_string()
+    };
+    let ids = p.wine.xdotool(&["search", "--onlyvisible", "--name", "^gonio$"])?;
+    let id = ids.lines().next().unwrap_or_default();
+    p.wine.xdotool(&["mousemove", "--window", id, &middle(0), &middle(1), "click", "1"])?;
+    let state = window.wait("the verdict", |state| state["exercise"]["verdict"].is_object())?;
+    let verdict = &state["exercise"]["verdict"];
+    let named = verdict["mistakes"].as_array().is_some_and(|all| all.iter().any(|id| id == "diffuse-missing"));
+    ensure(verdict["word"] == "wrong" && named, || format!("the verdict is {verdict}"))
+}
+
+/// A window of gonio, ended when this is dropped.
+struct Window {
+    program: Child,
+    state: PathBuf,
+}
+
+impl Window {
+    fn open(p: &Programs, words: &[&str]) -> Result<Window, String> {
+        let state = p.path("state.json");
+        if state.exists() {
+            std::fs::remove_file(&state).map_err(|error| error.to_string())?;
+        }
+        let options = ["--state", r"G:\state.json", "--size", "900x620"];
+        let mut command = p.wine.gonio(&[words, &options[..]].concat());
+        let program = command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null()).spawn();
+        Ok(Window { program: program.map_err(|error| error.to_string())?, state })
+    }
+
+    /// Waits until the window's exported state fulfils a condition, and returns it.
+    fn wait(&mut self, what: &str, expected: impl Fn(&Value) -> bool) -> Result<Value, String> {
+        let start = Instant::now();
+        loop {
+            let bytes = std::fs::read(&self.state).unwrap_or_default();
+            let state: Value = serde_json::from_slice(&bytes).unwrap_or_default();
+            if expected(&state) {
+                return Ok(state);
+            }
+            if let Ok(Some(status)) = self.program.try_wait() {
+                return Err(format!("the window ended with {status}"));
+            }
+            if start.elapsed() > PATIENCE {
+                return Err(format!("waited in vain for {what}; the state is {:.500}", state.to_string()));
+            }
+            std::thread::sleep(Duration::from_millis(100));
+        }
+    }
+}
+
+impl Drop for Window {
+    fn drop(&mut self) {
+        let _ = self.program.kill();
+        let _ = self.program.wait();
+    }
 }
 
 /// The number of different colours on the screen.

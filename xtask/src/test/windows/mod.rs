@@ -22,7 +22,8 @@ use wine::Wine;
 pub const TARGET: &str = "x86_64-pc-windows-gnu";
 
 /// Debian packages: the linker, Wine with what its OpenGL loads, and a screen.
-const PACKAGES: &[&str] = &["gcc-mingw-w64-x86-64", "wine", "wine64", "libgl1", "libgl1-mesa-dri", "libegl1", "xvfb"];
+const PACKAGES: &[&str] =
+    &["gcc-mingw-w64-x86-64", "wine", "wine64", "libgl1", "libgl1-mesa-dri", "libegl1", "xvfb", "xdotool"];
 
 /// A program for Windows to use instead of building one, such as that of a release.
 const PROGRAM_VARIABLE: &str = "GONIO_WINDOWS_PROGRAM";

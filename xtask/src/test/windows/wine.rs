@@ -84,6 +84,11 @@ impl Wine {
         command
     }
 
+    /// Input as of a person, and questions to the screen.
+    pub fn xdotool(&self, words: &[&str]) -> Result<String, String> {
+        process::stdout_of(Command::new("xdotool").args(words).env("DISPLAY", &self.screen.name))
+    }
+
     /// Whether the system has a library of this name.
     pub fn has_library(&self, name: &str) -> bool {
         self.prefix.join("drive_c/windows/system32").join(name.to_ascii_lowercase()).is_file()
