@@ -134,7 +134,7 @@ pub fn handle(ui: &Ui, document: &mut Document, session: &mut Session, actions: 
     let pressed = |key: Key| struck(ui, key, |held| !held.any());
     if pressed(Key::Escape) {
         session.help = false;
-        session.probing.pinned = None;
+        session.unpin();
         session.baking.picked = None;
         if let Some(shaders) = &mut session.shaders {
             shaders.stepper.unpin();

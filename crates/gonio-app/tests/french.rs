@@ -214,8 +214,10 @@ fn the_proven_fix_is_applied_with_the_keyboard_alone() {
     let here = Here { feedback: Some(Feedback::Fix), ..Here::default() };
     let mut window = Window::on(here, "builtin:cube", vec2(1280.0, 800.0));
     let ctx = window.harness.ctx.clone();
-    let files = exercise::find("ex04").unwrap().reference_files().unwrap().into_iter().map(|(name, text)| {
-        ExerciseFile { name: name.to_owned(), bytes: text.replace("mat3(itM)", "mat3(M)").into_bytes(), path: None }
+    let files = exercise::find("ex04").unwrap().reference_files().unwrap().map(|(name, text)| ExerciseFile {
+        name: name.to_owned(),
+        bytes: text.replace("mat3(itM)", "mat3(M)").into_bytes(),
+        path: None,
     });
     let start = Start { exercise: "ex04".into(), files: files.collect() };
     window.harness.state_mut().as_mut().unwrap().begin_exercise(&ctx, start);

@@ -358,6 +358,14 @@ impl RecordedFrame {
 }
 
 impl Session {
+    /// Lets the pinned pixel go, with the part that was selected there.
+    pub fn unpin(&mut self) {
+        self.probing.pinned = None;
+        if self.selection.part().is_some() && self.tab != Tab::Objects {
+            self.selection = Selection::None;
+        }
+    }
+
     /// The light of the probed pixel by the way it took, if its pane is traced and it is known.
     pub fn pixel_light(&self) -> Option<&PixelLight> {
         let reading = self.probing.reading()?;

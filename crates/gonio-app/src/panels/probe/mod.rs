@@ -91,6 +91,7 @@ fn header(ui: &mut Ui, session: &mut Session, reading: Option<&Reading>, actions
         }
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             ui.spacing_mut().item_spacing.x = 2.0;
+            let mut wants_unpin = false;
             let probing = &mut session.probing;
             let pinned = probing.pinned.is_some();
             let (icon, tip) = if pinned {
@@ -99,11 +100,14 @@ fn header(ui: &mut Ui, session: &mut Session, reading: Option<&Reading>, actions
                 (icons::PUSH_PIN, tr!("scene-click-in-the-picture-to-pin"))
             };
             if button(ui, "probe-unpin", icon, tip, pinned).clicked() {
-                probing.pinned = None;
+                wants_unpin = true;
             }
             let tip = tr!("scene-show-or-hide-the-lobe-at");
             if button(ui, "probe-lobe", icons::FLASHLIGHT, tip, pinned).clicked() {
                 probing.shows_lobe = !probing.shows_lobe;
+            }
+            if wants_unpin {
+                session.unpin();
             }
             let part = reading.and_then(Reading::part);
             let tip = tr!("scene-edit-material-of-part");
