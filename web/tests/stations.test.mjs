@@ -41,7 +41,13 @@ test("a film runs, and leaving ends it and the work", async (lab) => {
   await lab.click("film");
   const { stations: after } = await lab.until(({ stations }) => stations.values.time > before.values.time + 1);
   assert.ok(after.playing && after.picture.size[0] > 100, JSON.stringify(after.picture));
-  await lab.click("leave");
+  // A film never rests, so the click does not wait for that.
+  await lab.page.mouse.move(...await lab.middle("leave"));
+  await lab.page.evaluate(async () => {
+    for (let i = 0; i < 5; i++) await new Promise(requestAnimationFrame);
+  });
+  await lab.page.mouse.down();
+  await lab.page.mouse.up();
   const { stations: left } = await lab.until(({ stations }) => !stations.open);
   assert.ok(!left.running && !left.playing);
 });
