@@ -45,17 +45,15 @@ impl<'a> PartName<'a> {
         name.strip_prefix(self.part).and_then(|rest| rest.strip_prefix('/')) == Some(self.material)
     }
 
-    /// Its names, the shortest first.
-    fn all(self) -> [String; 3] {
-        [self.part.to_owned(), self.material.to_owned(), format!("{}/{}", self.part, self.material)]
-    }
-
     /// The shortest of its names that none of `others` has too; the longest if there is none.
     pub fn unique_among<'b>(self, others: impl Iterator<Item = PartName<'b>> + Clone) -> String {
-        let [part, material, both] = self.all();
-        let is_unique = |name: &&String| !name.is_empty() && !others.clone().any(|other| other.is(name));
-        let known = [part, material].iter().find(is_unique).cloned();
-        known.unwrap_or(if self.part.is_empty() { self.material.to_owned() } else { both })
+        let PartName { part, material } = self;
+        let is_unique = |name: &&str| !name.is_empty() && !others.clone().any(|other| other.is(name));
+        match [part, material].into_iter().find(is_unique) {
+            Some(name) => name.to_owned(),
+            None if part.is_empty() => material.to_owned(),
+            None => format!("{part}/{material}"),
+        }
     }
 
     /// The values of an object's material for this part: those of its material's name replace the object's, those of its own

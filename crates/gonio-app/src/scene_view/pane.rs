@@ -121,7 +121,7 @@ pub fn over(
     {
         session.probing.update(ui.ctx(), &loaded, &frame, |x, y| pane_renderer.pixel(probed, x, y));
         if let Some(found) = session.probing.take_selected(&frame) {
-            session.selection = found.map_or(Selection::None, |[object, part]| Selection::Part(object, part));
+            session.selection = Selection::of_part(found);
         }
         if is_probe {
             vectors::show(ui, &projection, &session.probing, session.selection);

@@ -222,6 +222,11 @@ impl Selection {
         }
     }
 
+    /// Selects a part, by the object's index and its own, or nothing.
+    pub fn of_part(part: Option<[usize; 2]>) -> Self {
+        part.map_or(Selection::None, |[object, part]| Selection::Part(object, part))
+    }
+
     /// The selected part: the object's index and its own.
     pub fn part(self) -> Option<[usize; 2]> {
         match self {

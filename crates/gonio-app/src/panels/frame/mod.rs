@@ -41,7 +41,7 @@ pub fn show(ui: &mut Ui, _: &mut Document, session: &mut Session, actions: &mut 
     let is_other = taken.draw != before;
     if let Some(draw) = taken.record.draws.get(taken.draw).filter(|_| is_other) {
         let selected = session.loaded.as_ref().and_then(|loaded| part_of(draw, loaded));
-        session.selection = selected.map_or(Selection::None, |[object, part]| Selection::Part(object, part));
+        session.selection = Selection::of_part(selected);
     }
 }
 
