@@ -18,6 +18,16 @@ pub struct LoadedEnvironment {
     glossy: OnceLock<GlossyMips>,
     seen_glossy: OnceLock<GlossyMips>,
     separated: OnceLock<SeparatedLights>,
+    preparation: Preparation,
+}
+
+/// How an environment is prepared. Functions, because a program that never makes an environment then does without their code: the
+/// renderer of the web page's first picture is one.
+#[derive(Clone, Copy, Debug)]
+struct Preparation {
+    harmonics: fn(&Cubemap) -> Harmonics,
+    glossy: fn(&CubeMips, u32) -> GlossyMips,
+    separated: fn(&CubeMips) -> SeparatedLights,
 }
 
 impl LoadedEnvironment {
@@ -31,6 +41,11 @@ impl LoadedEnvironment {
             glossy: OnceLock::new(),
             seen_glossy: OnceLock::new(),
             separated: OnceLock::new(),
+            preparation: Preparation {
+                harmonics: Harmonics::from_cubemap,
+                glossy: GlossyMips::new,
+                separated: SeparatedLights::new,
+            },
         }
     }
 
@@ -48,25 +63,29 @@ impl LoadedEnvironment {
 
     /// The diffuse light of [`Self::mips`].
     pub fn harmonics(&self) -> &Harmonics {
-        self.harmonics.get_or_init(|| Harmonics::from_cubemap(self.mips.full()))
+        self.harmonics.get_or_init(|| (self.preparation.harmonics)(self.mips.full()))
     }
 
     /// [`Self::mips`] as rough mirrors show it.
     pub fn glossy(&self) -> &GlossyMips {
-        self.glossy.get_or_init(|| GlossyMips::new(&self.mips, GlossyMips::SIZE))
+        self.glossy.get_or_init(|| self.blurred(&self.mips))
     }
 
     /// [`Self::mips`] in two parts, for sums over few directions.
     pub fn separated(&self) -> &SeparatedLights {
-        self.separated.get_or_init(|| SeparatedLights::new(&self.mips))
+        self.separated.get_or_init(|| (self.preparation.separated)(&self.mips))
     }
 
     /// [`Self::seen`], blurred.
     pub fn seen_glossy(&self) -> &GlossyMips {
         match &self.background {
-            Some(background) => self.seen_glossy.get_or_init(|| GlossyMips::new(background, GlossyMips::SIZE)),
+            Some(background) => self.seen_glossy.get_or_init(|| self.blurred(background)),
             None => self.glossy(),
         }
+    }
+
+    fn blurred(&self, mips: &CubeMips) -> GlossyMips {
+        (self.preparation.glossy)(mips, GlossyMips::SIZE)
     }
 }
 
