@@ -6,7 +6,8 @@ mod common;
 use common::{RGB, TestScene, cuboid, point, sphere, square};
 use glam::{DMat4, DVec3};
 use gonio_bsdf::integrate::directional_albedo;
-use gonio_bsdf::{MODELS, ModelSpec, NamedBsdf};
+
+use gonio_bsdf::{MODELS, MerlTable, ModelSpec, NamedBsdf};
 use gonio_environment::{Builtin, Layout};
 use gonio_light::Convention;
 use gonio_reference::ReferenceScene;
@@ -104,8 +105,36 @@ fn direct_light_is_that_of_the_reference() {
     }
 }
 
-/// A flat piece in the light of an environment, from several sides: the few directions of the light equation see what the tracer
-/// sees. The bounds, in parts of the brightest channel, are the errors of the worst of these places, measured, and a fifth more.
+/// The largest difference between the light equation and the tracer on a flat piece in the light of an environment, from several
+/// sides, in parts of the brightest channel, and where it is.
+fn worst_in_environments(brdf: &Arc<MaterialBrdf>) -> (f64, String) {
+    let mut worst = (0.0, String::new());
+    for environment in [Builtin::Sky, Builtin::Room] {
+        let map = environment.cubemap(128, Layout::OpenGl).unwrap();
+        let loaded = Arc::new(LoadedEnvironment::new(environment.name(), map));
+        for (degrees, turn) in [(10.0_f64, 0.0_f64), (45.0, 0.6), (45.0, 2.5), (45.0, 4.4), (75.0, 1.2), (75.0, 3.6)] {
+            let ((sin, cos), (sin_turn, cos_turn)) = (degrees.to_radians().sin_cos(), turn.sin_cos());
+            let mut scene = with(TestScene::new(), square(1.0, 0.0), brdf.clone());
+            scene.scene.environment = Some(loaded.clone());
+            scene.frame.surroundings = Some(Surroundings { lights: true, ..Surroundings::default() });
+            let mut scene = scene.eye([5.0 * sin * cos_turn, 5.0 * sin * sin_turn, 5.0 * cos], [0.0; 3]);
+            scene.frame.camera.fov_y_rad = 0.2f64.to_radians();
+            let reference = ReferenceScene::new(&scene.scene).render(&scene.frame, None, &|_| ()).picture;
+            let [r, g, b, _] = reference.at(4, 4);
+            let found = DVec3::new(r.into(), g.into(), b.into());
+            let (mean, error) = scene.mean(&RGB, 1024);
+            let difference = (found - mean).abs().max_element() / mean.max_element();
+            if difference > worst.0 {
+                let place = format!("{environment} {degrees} {turn}");
+                worst = (difference, format!("{place}: {found} instead of {mean}, noise {error:.1e}"));
+            }
+        }
+    }
+    worst
+}
+
+/// The few directions of the light equation see what the tracer sees. The bounds are the errors of the worst of these places,
+/// measured, and a fifth more.
 #[test]
 fn environments_light_as_they_do_when_traced() {
     let mut failures = Vec::new();
@@ -121,35 +150,45 @@ fn environments_light_as_they_do_when_traced() {
         ("lafortune", 0.08),
         ("disney:", 0.03),
     ] {
-        let brdf = brdf(text);
-        let mut worst = (0.0, String::new());
-        for environment in [Builtin::Sky, Builtin::Room] {
-            let map = environment.cubemap(128, Layout::OpenGl).unwrap();
-            let loaded = Arc::new(LoadedEnvironment::new(environment.name(), map));
-            for (degrees, turn) in
-                [(10.0_f64, 0.0_f64), (45.0, 0.6), (45.0, 2.5), (45.0, 4.4), (75.0, 1.2), (75.0, 3.6)]
-            {
-                let ((sin, cos), (sin_turn, cos_turn)) = (degrees.to_radians().sin_cos(), turn.sin_cos());
-                let mut scene = with(TestScene::new(), square(1.0, 0.0), brdf.clone());
-                scene.scene.environment = Some(loaded.clone());
-                scene.frame.surroundings = Some(Surroundings { lights: true, ..Surroundings::default() });
-                let mut scene = scene.eye([5.0 * sin * cos_turn, 5.0 * sin * sin_turn, 5.0 * cos], [0.0; 3]);
-                scene.frame.camera.fov_y_rad = 0.2f64.to_radians();
-                let reference = ReferenceScene::new(&scene.scene).render(&scene.frame, None, &|_| ()).picture;
-                let [r, g, b, _] = reference.at(4, 4);
-                let found = DVec3::new(r.into(), g.into(), b.into());
-                let (mean, error) = scene.mean(&RGB, 1024);
-                let difference = (found - mean).abs().max_element() / mean.max_element();
-                if difference > worst.0 {
-                    worst = (
-                        difference,
-                        format!("{environment} {degrees} {turn}: {found} instead of {mean}, noise {error:.1e}"),
-                    );
-                }
-            }
-        }
+        let worst = worst_in_environments(&brdf(text));
         if worst.0 > bound {
             failures.push(format!("{text}: {worst:?}"));
+        }
+    }
+    assert!(failures.is_empty(), "{failures:#?}");
+}
+
+/// A function of BRDF Explorer: a highlight around the half vector on a matte base.
+const EXPLORER: &str = "analytic
+::begin parameters
+float exponent 1 400 60
+color base 0.3 0.2 0.1
+::end parameters
+::begin shader
+vec3 BRDF(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y) {
+    vec3 H = normalize(L + V);
+    float highlight = (exponent + 2.0) / 8.0 * pow(max(dot(N, H), 0.0), exponent);
+    return (base + vec3(0.4 * highlight)) / 3.14159265;
+}
+::end shader
+";
+
+/// The same of measured tables and of functions in files. A table is a little blurred.
+#[test]
+fn environments_light_materials_of_files_as_they_do_when_traced() {
+    let table = |text: &str| {
+        let made = MerlTable::tabulate(ModelSpec::parse(text).unwrap().build().as_ref()).unwrap();
+        NamedBsdf::of_file("table.binary", &made.write(), "").unwrap()
+    };
+    let mut failures = Vec::new();
+    for (name, bsdf, bound) in [
+        ("a matte table", table("lambert:a=0.8/0.4/0.2"), 0.015),
+        ("a glossy table", table("ward:a=0.3,b=0.4,c=0.15"), 0.025),
+        ("a function", NamedBsdf::of_file("function.brdf", EXPLORER.as_bytes(), "").unwrap(), 0.025),
+    ] {
+        let worst = worst_in_environments(&Arc::new(MaterialBrdf::new(bsdf)));
+        if worst.0 > bound {
+            failures.push(format!("{name}: {worst:?}"));
         }
     }
     assert!(failures.is_empty(), "{failures:#?}");
