@@ -338,7 +338,9 @@ fn attenuation(
 ) -> Option<Vec<usize>> {
     let is_number = |index: &&usize| bound[**index].declared.glsl_type == "float";
     let numbers: Vec<usize> = open.iter().filter(is_number).copied().collect();
-    if numbers.len() < ATTENUATION.len() || numbers.len() > 7 {
+    // An input has one meaning.
+    let is_named = |bound: &Bound| bound.how == How::Name && ATTENUATION.contains(&bound.role);
+    if numbers.len() < ATTENUATION.len() || numbers.len() > 7 || bound.iter().any(is_named) {
         return None;
     }
     let usual = program.bindings.bound.clone();

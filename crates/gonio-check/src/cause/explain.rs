@@ -5,7 +5,7 @@ use super::answer::LightingMethod;
 use super::budget::Budget;
 use super::candidate::{Candidate, Which, WrongOfPair};
 use super::explanation::{Explanation, simplest};
-use super::few_places::{AtFew, coarse, few, is_black, quick};
+use super::few_places::{AtFew, coarse, few, is_black, is_white, quick};
 use super::prediction::{Predictor, Sum};
 use super::samples::SceneSamples;
 use super::shown::Shown;
@@ -88,8 +88,8 @@ impl Explainer<'_> {
     /// # Errors
     /// The interpreter cannot run gonio's own shaders; a test ensures that it can.
     pub fn singly(&self, seen: &Seen) -> Result<Singly, String> {
-        // Too many mistakes explain a black picture.
-        if is_black(seen) {
+        // Too many mistakes explain a black picture, and with open strengths a white one.
+        if is_black(seen) || is_white(seen) {
             return self.by_evidence(seen);
         }
         let mut found: Vec<Explanation> = Vec::new();
@@ -137,7 +137,7 @@ impl Explainer<'_> {
         })
     }
 
-    /// Explains a black picture by single mistakes that take the light away and whose own wrong values the program computes.
+    /// Explains a black or white picture by single mistakes that make it so and whose own wrong values the program computes.
     fn by_evidence(&self, seen: &Seen) -> Result<Singly, String> {
         let mut found = Vec::new();
         for method in self.methods {
@@ -146,11 +146,13 @@ impl Explainer<'_> {
                 let evident: Vec<&Hypothesis> =
                     candidate.wrong().filter(|single| candidate.is_evident(single)).collect();
                 for set in candidate.peculiarities(self.is_likely) {
-                    let black = evident
-                        .iter()
-                        .filter_map(|single| set.and(single))
-                        .filter(|both| candidate.is_black(both, self.required));
-                    found.extend(black.map(|both| candidate.explained(&both, [None; 3])));
+                    let both = evident.iter().filter_map(|single| set.and(single));
+                    found.extend(both.filter_map(|both| match is_white(seen) {
+                        true => candidate.explanation(seen, &both, self.required),
+                        false => {
+                            candidate.is_black(&both, self.required).then(|| candidate.explained(&both, [None; 3]))
+                        }
+                    }));
                     if !found.is_empty() {
                         break;
                     }

@@ -135,6 +135,12 @@ pub(super) fn is_black(seen: &Seen) -> bool {
     seen.colour.numbers.iter().all(|x| x.is_nan() || x.abs() < DARKEST)
 }
 
+/// Whether every place is as bright as a screen can show.
+pub(super) fn is_white(seen: &Seen) -> bool {
+    let mut finite = seen.colour.numbers.iter().filter(|x| x.is_finite()).peekable();
+    finite.peek().is_some() && finite.all(|x| *x >= 1.0)
+}
+
 /// Whether all places have the same colour on the screen, as in the branch for another kind of object.
 pub(super) fn is_flat(seen: &Seen) -> bool {
     planes(&seen.colour).iter().all(|plane| {
