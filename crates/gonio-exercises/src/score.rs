@@ -144,6 +144,8 @@ pub struct ScoredPair {
     pub lines_right: bool,
     /// Whether the rewritten programs got the same verdict; `None` if there are none.
     pub same_when_rewritten: Option<bool>,
+    /// The other verdicts that rewritten programs got: outcome and mistakes.
+    pub other_verdicts: Vec<String>,
     /// Whether a fix was proposed and passes; `None` unless a single mistake was named.
     pub fix_passes: Option<bool>,
     /// Mistakes that were left out because no picture shows them.
@@ -152,6 +154,12 @@ pub struct ScoredPair {
 
 fn answers(found: &FoundMistake, made: &LabelledMistake) -> bool {
     made.ids.iter().any(|id| found.id == *id || found.or.iter().any(|or| or == id))
+}
+
+/// Whether a verdict names each mistake that was made, and no other.
+fn names_all(verdict: &Verdict, made: &[LabelledMistake]) -> bool {
+    let is_named = |made: &LabelledMistake| verdict.mistakes.iter().any(|found| answers(found, made));
+    verdict.mistakes.len() == made.len() && made.iter().all(is_named)
 }
 
 fn is_at(found: &FoundMistake, made: &LabelledMistake) -> bool {
@@ -181,10 +189,14 @@ impl ScoredPair {
     pub fn new(pair: &GeneratedPair, verdict: &Verdict, rewritten: &[Verdict], fixed: Option<&Verdict>) -> Self {
         let right = if pair.mistakes.is_empty() { Outcome::Correct } else { Outcome::Wrong };
         let found = &verdict.mistakes;
-        let named = pair.mistakes.iter().all(|made| found.iter().any(|found| answers(found, made)));
+        let names_right = names_all(verdict, &pair.mistakes);
+        // The text may show which of two names with the same picture applies.
+        let is_same = |other: &Verdict| {
+            let both_name_all = names_right && names_all(other, &pair.mistakes);
+            is_same_verdict(other, verdict) || both_name_all && other.verdict == verdict.verdict
+        };
         let located = pair.mistakes.iter().all(|made| found.iter().any(|found| is_at(found, made)));
         let in_no_list = pair.mistakes.iter().any(|made| made.ids.is_empty());
-        let names_right = named && found.len() == pair.mistakes.len();
         let has_fix_to_make = names_right && !in_no_list && pair.mistakes.len() == 1;
         ScoredPair {
             exercise: pair.exercise.to_owned(),
@@ -196,8 +208,8 @@ impl ScoredPair {
             named: found.iter().map(|found| found.id.clone()).collect(),
             names_right,
             lines_right: located,
-            same_when_rewritten: (!rewritten.is_empty())
-                .then(|| rewritten.iter().all(|other| is_same_verdict(other, verdict))),
+            same_when_rewritten: (!rewritten.is_empty()).then(|| rewritten.iter().all(is_same)),
+            other_verdicts: rewritten.iter().filter(|other| !is_same(other)).map(in_short).collect(),
             fix_passes: has_fix_to_make.then(|| fixed.is_some_and(|fixed| fixed.verdict == Outcome::Correct)),
             invisible: pair.invisible.len(),
         }
@@ -219,11 +231,18 @@ impl ScoredPair {
         if self.outcome_right && !self.made.is_empty() && !self.lines_right {
             text.push_str(", at another line");
         }
-        if self.same_when_rewritten == Some(false) {
-            text.push_str(", and another verdict after a rewrite");
+        for other in &self.other_verdicts {
+            text.push_str(&format!("; after a rewrite: {other}"));
         }
         text
     }
+}
+
+/// The outcome and the mistakes of a verdict.
+fn in_short(verdict: &Verdict) -> String {
+    let named = verdict.mistakes.iter().map(|found| found.id.as_str()).collect::<Vec<_>>().join(" and ");
+    let separator = if named.is_empty() { "" } else { ", " };
+    format!("{}{separator}{named}", outcome_word(verdict.verdict))
 }
 
 /// The word for an outcome.

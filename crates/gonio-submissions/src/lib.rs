@@ -334,14 +334,18 @@ fn label(
 
 impl GeneratedPair {
     /// All files with the label, each with its path: `EXERCISE/correct/0001/NAME`, or `EXERCISE/wrong/0001-MISTAKES/NAME`, as
-    /// the corpus has them.
+    /// the corpus has them; the rewrites: `EXERCISE/rewritten/0001-1/NAME`.
     pub fn paths(&self) -> Vec<(String, String)> {
         let folder = match self.mistakes.is_empty() {
             true => format!("{}/correct/{:04}", self.exercise, self.index),
             false => format!("{}/wrong/{:04}-{}", self.exercise, self.index, self.title()),
         };
         let files = self.files.iter().map(|(name, text)| (format!("{folder}/{name}"), text.clone()));
-        files.chain([(format!("{folder}/expected.toml"), self.expected())]).collect()
+        let rewritten = self.rewrites.iter().enumerate().flat_map(|(number, files)| {
+            let folder = format!("{}/rewritten/{:04}-{}", self.exercise, self.index, number + 1);
+            files.iter().map(move |(name, text)| (format!("{folder}/{name}"), text.clone()))
+        });
+        files.chain([(format!("{folder}/expected.toml"), self.expected())]).chain(rewritten).collect()
     }
 
     /// The label as `expected.toml` of the corpus, with a line about where the pair comes from.

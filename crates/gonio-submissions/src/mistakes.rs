@@ -209,7 +209,7 @@ pub(crate) const SLIPS: &[Slip] = &[
     listed("specular-without-power", Site::Power, specular),
     listed("specular-multiplied-by-exponent", Site::Power, specular),
     listed("specular-exponent-wrong", Site::Power, |a, p| specular(a, p) && !a.writes.exponent),
-    unlisted("specular-power-swapped", Site::Power, specular),
+    listed("specular-power-swapped", Site::Power, specular),
     listed("attenuation-distance-of-direction", Site::Distance, whole),
     listed("attenuation-with-view-distance", Site::Distance, whole_by_position),
     listed("attenuation-plus-view-distance", Site::Distance, whole_by_position),

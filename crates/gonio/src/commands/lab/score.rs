@@ -65,7 +65,8 @@ pub struct ScoreArgs {
     /// Versions of each program in other styles, which must get the same verdict.
     #[arg(long, value_name = "K", default_value_t = 1, help_heading = "Check options", requires = "generated")]
     pub rewrites: usize,
-    /// Write the programs with what is expected of them: FOLDER/EX/correct/NAME/ and FOLDER/EX/wrong/NAME/.
+    /// Write the programs with what is expected of them, FOLDER/EX/correct/NAME/ and FOLDER/EX/wrong/NAME/, and their other
+    /// versions, FOLDER/EX/rewritten/NAME/.
     #[arg(long, value_name = "FOLDER", help_heading = "Check options", requires = "generated")]
     pub write: Option<PathBuf>,
     /// Write only the programs with a wrong verdict.
@@ -235,7 +236,7 @@ fn run_generated(args: &ScoreArgs, count: u64, reporter: &Reporter) -> Result<Co
     };
     if let Some(folder) = &args.write {
         let chosen = pairs.iter().filter(|pair| !args.failing || !pair.is_right());
-        write_generated(folder, seed, chosen)?;
+        write_generated(folder, seed, args.rewrites, chosen)?;
     }
     let scores = GeneratedScore::of(&pairs);
     let reached = scores.last().is_none_or(GeneratedScore::reaches_the_goals);
@@ -277,11 +278,16 @@ fn score_generated_here(
 }
 
 /// Generates programs again and writes them.
-fn write_generated<'a>(folder: &Path, seed: u64, pairs: impl Iterator<Item = &'a ScoredPair>) -> Result<(), CliError> {
+fn write_generated<'a>(
+    folder: &Path,
+    seed: u64,
+    rewrites: usize,
+    pairs: impl Iterator<Item = &'a ScoredPair>,
+) -> Result<(), CliError> {
     let mut files = OutputFiles::new();
     for scored in pairs {
         let task = GeneratedTask::find(&scored.exercise);
-        let pair = gonio_submissions::generate(seed, scored.index, task, 0).map_err(CliError::new)?;
+        let pair = gonio_submissions::generate(seed, scored.index, task, rewrites).map_err(CliError::new)?;
         for (path, text) in pair.paths() {
             let target = folder.join(path);
             if let Some(parent) = target.parent() {
