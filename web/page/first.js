@@ -66,11 +66,14 @@ async function draw() {
   const canvas = document.getElementById("first");
   fit(canvas);
   // The browser's graphics start while the module arrives. The picture stays until the application's is there.
-  const context = graphicsOf(canvas, { alpha: false, antialias: false, depth: false, stencil: false, preserveDrawingBuffer: true });
+  const context = graphicsOf(canvas, { alpha: false, antialias: false, depth: true, stencil: false, preserveDrawingBuffer: true });
   if (context === null) return;
   await initialise({ module_or_path: module });
   const scene = new FirstScene();
   scene.begin(context, more.length > 0);
+  // A browser hands commands to the driver when somebody waits for them.
+  context.fenceSync(context.SYNC_GPU_COMMANDS_COMPLETE, 0);
+  context.flush();
   for (const hand of await arriving) hand(scene);
   // The application was faster.
   if (!canvas.isConnected) return;

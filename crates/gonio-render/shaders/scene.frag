@@ -31,6 +31,10 @@ uniform float emitted_switch;
 uniform vec4 depth_plane;        // dot(depth_plane, (p, 1)) is the distance along the viewing direction
 #endif
 
+#if DISPLAYED
+uniform float exposure;          // stops
+#endif
+
 out vec4 frag_color;
 
 // +1 on front faces; -1 if the normal is turned to the viewer.
@@ -162,6 +166,8 @@ void main() {
     // The nearest surface that is not a hole, as if it were opaque.
     if (s.opacity < HOLE_OPACITY) discard;
     frag_color = vec4(value, 1.0);
+#elif DISPLAYED
+    frag_color = vec4(display_light(value, exposure), 1.0);   // opaque
 #else
     frag_color = vec4(value * s.opacity, s.opacity);
 #endif

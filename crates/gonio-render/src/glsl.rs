@@ -16,13 +16,13 @@ use gonio_bsdf::merl;
 use gonio_environment::small_lights;
 use gonio_gl::Dialect;
 use gonio_light::brdf::{self, BrdfKind};
-use gonio_light::color::{self, ToneMap};
+use gonio_light::color::{self, ColorEncoding, ToneMap};
 use gonio_light::light::Attenuation;
 use gonio_light::optics::{self, Fresnel};
 use gonio_light::{Quantity, Specular, function_light, microfacet, vector};
 use gonio_scene::scene::HOLE_OPACITY;
 use gonio_scene::scene_file::Shading;
-use output::tone_map_define;
+use output::{DISPLAY_LIGHT, tone_map_define};
 use std::fmt::Write;
 
 /// Texels of one light in the light table.
@@ -155,6 +155,8 @@ pub struct SceneKey {
     pub shadows: bool,
     /// The part of the environment that the surface shows.
     pub surroundings: SurroundingsKey,
+    /// The tone map and encoding, if the program writes displayed colours; otherwise it writes linear ones.
+    pub display: Option<(ToneMap, ColorEncoding)>,
 }
 
 /// The storage of the lights, and the form of the loops over them.
@@ -221,11 +223,16 @@ impl SceneKey {
                                     lights,
                                     shadows: false,
                                     surroundings: SurroundingsKey::NONE,
+                                    display: None,
                                 };
                                 keys.extend(loops.map(|lights| key(lights, false)));
                                 keys.push(key(LightLoops::Uniforms, true));
                                 keys.push(SceneKey { shadows: true, ..key(LightLoops::Uniforms, false) });
                                 keys.extend(surroundings::added_to(key(LightLoops::Uniforms, false)));
+                                if !view {
+                                    let display = Some((ToneMap::Agx, ColorEncoding::Srgb));
+                                    keys.push(SceneKey { display, ..key(LightLoops::Uniforms, false) });
+                                }
                             }
                         }
                     }
@@ -270,6 +277,11 @@ impl SceneKey {
             define(&mut text, name, value);
         }
         text += &self.surroundings.defines();
+        define(&mut text, "DISPLAYED", bit(self.display.is_some()));
+        if let Some((tone_map, encoding)) = self.display {
+            define(&mut text, "TONE_MAP", tone_map_define(tone_map));
+            define(&mut text, "ENCODE_SRGB", bit(encoding == ColorEncoding::Srgb));
+        }
         if let LightLoops::Unrolled(ends) = self.lights {
             for (name, end) in ["DIRECTIONAL_END", "POINT_END", "SPOT_END"].into_iter().zip(ends) {
                 define(&mut text, name, &end.to_string());
@@ -307,17 +319,18 @@ impl SceneKey {
         };
         let fragment_view = if self.vertex_lit() && self.view { "uniform int view_quantity;\n" } else { "" };
         let fragment_vector = if self.vertex_lit() { VECTOR } else { "" };
+        let display = if self.display.is_some() { [COLOR, DISPLAY_LIGHT].concat() } else { String::new() };
         let around = self.surroundings.functions(self.vertex_lit(), own.as_deref());
         [
             [shared.as_str(), vertex_light, SCENE_VERT].concat(),
-            [&shared, fragment_vector, fragment_light, fragment_view, &around, MATERIAL, SCENE_FRAG].concat(),
+            [&shared, fragment_vector, fragment_light, fragment_view, &around, &display, MATERIAL, SCENE_FRAG].concat(),
         ]
     }
 
     /// The name in labels and messages.
     pub fn name(&self) -> String {
         format!(
-            "scene {} {}{}{}{}{}{}{}{}{}",
+            "scene {} {}{}{}{}{}{}{}{}{}{}",
             self.shading,
             self.reflectance.define().trim_start_matches("REFLECTANCE_").to_ascii_lowercase(),
             match self.maps {
@@ -336,6 +349,7 @@ impl SceneKey {
             },
             if self.shadows { " shadows" } else { "" },
             self.surroundings.name(),
+            if self.display.is_some() { " displayed" } else { "" },
         )
     }
 }

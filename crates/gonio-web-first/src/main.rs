@@ -7,7 +7,7 @@
 mod first {
     use gonio_gl::{Gl, GlError};
     use gonio_mesh::Limits;
-    use gonio_render::{DisplayTexture, GpuScene, Renderer};
+    use gonio_render::{GpuScene, Renderer};
     use gonio_scene::files::{BUILTIN, FileBytes, FileSource};
     use gonio_scene::readers::{Readers, decoded_picture};
     use gonio_scene::scene_file::{ObjectSpec, SceneFile};
@@ -50,7 +50,6 @@ mod first {
     /// A context with what draws into it.
     struct Canvas {
         context: WebGl2RenderingContext,
-        gl: Gl,
         renderer: Renderer,
     }
 
@@ -60,25 +59,26 @@ mod first {
             // `Gl::of_window` takes an `Arc`, as egui does; the page has one thread.
             #[allow(clippy::arc_with_non_send_sync)]
             let gl = Gl::of_window(Arc::new(glow::Context::from_webgl2_context(context.clone())));
-            Ok(Canvas { context, renderer: Renderer::new(gl.clone())?, gl })
+            Ok(Canvas { context, renderer: Renderer::new(gl)? })
         }
 
-        /// Draws a stand-in for the scene where nobody sees it.
+        /// Draws a stand-in for the scene into a corner of the canvas, which is not visible yet.
         fn warm_up(&mut self, stand_in: &mut Scene) -> Result<(), GlError> {
-            let size = [16, 16];
-            let (uploaded, frame) = self.prepare(stand_in, size)?;
-            let mut unseen = DisplayTexture::new(&self.gl, size)?;
-            self.renderer.paint_scene(&uploaded, &frame, &mut unseen)?;
-            // Drivers collect commands until somebody waits for them.
-            self.context.flush();
-            Ok(())
+            // Most models are closed, and drivers compile anew for other settings of culling.
+            stand_in.objects.iter_mut().for_each(|object| object.closed = true);
+            self.draw_at_size(stand_in, [16, 16])
         }
 
         /// Draws a scene over the whole canvas.
         fn draw(&mut self, scene: &mut Scene) -> Result<(), GlError> {
             let size = [self.context.drawing_buffer_width(), self.context.drawing_buffer_height()];
-            let (uploaded, frame) = self.prepare(scene, size.map(|side| side.max(1) as u32))?;
+            self.draw_at_size(scene, size.map(|side| side.max(1) as u32))
+        }
+
+        fn draw_at_size(&mut self, scene: &mut Scene, size: [u32; 2]) -> Result<(), GlError> {
+            let (uploaded, frame) = self.prepare(scene, size)?;
             self.renderer.paint_scene_on_window(&uploaded, &frame)?;
+            // Drivers collect commands until somebody waits for them.
             self.context.flush();
             Ok(())
         }
@@ -86,10 +86,6 @@ mod first {
         /// Uploads a scene and makes the frame of the application's first picture.
         fn prepare(&mut self, scene: &mut Scene, [width, height]: [u32; 2]) -> Result<(GpuScene, Frame), GlError> {
             scene.settings.camera = scene.framed(&scene.settings.camera, f64::from(width) / f64::from(height));
-            // Programs that show both sides of triangles, so that the stand-in's are the scene's. Depth hides the back of what is closed.
-            for object in &mut scene.objects {
-                object.closed = false;
-            }
             let mut frame = Frame { width, height, ..scene.frame(0.0) };
             if self.renderer.info().is_software() {
                 frame.samples = 1;

@@ -7,7 +7,7 @@ float unit_interval(float x) {
 }
 
 vec3 unit_interval(vec3 c) {
-    return vec3(unit_interval(c.r), unit_interval(c.g), unit_interval(c.b));
+    return mix(vec3(0.0), min(c, vec3(1.0)), greaterThan(c, vec3(0.0)));
 }
 
 // x clamped to [0, RADIANCE_CAP]; NaN becomes 0.
@@ -16,7 +16,7 @@ float capped(float x) {
 }
 
 vec3 capped(vec3 c) {
-    return vec3(capped(c.r), capped(c.g), capped(c.b));
+    return mix(vec3(0.0), min(c, vec3(RADIANCE_CAP)), greaterThan(c, vec3(0.0)));
 }
 
 // linear * 2^stops
@@ -65,7 +65,8 @@ float srgb_encode(float linear) {
 }
 
 vec3 srgb_encode(vec3 linear) {
-    return vec3(srgb_encode(linear.r), srgb_encode(linear.g), srgb_encode(linear.b));
+    vec3 x = unit_interval(linear);
+    return mix(1.055 * pow(x, vec3(1.0 / 2.4)) - 0.055, x * 12.92, lessThanEqual(x, vec3(0.0031308)));
 }
 
 // Its inverse.
@@ -75,5 +76,6 @@ float srgb_decode(float encoded) {
 }
 
 vec3 srgb_decode(vec3 encoded) {
-    return vec3(srgb_decode(encoded.r), srgb_decode(encoded.g), srgb_decode(encoded.b));
+    vec3 x = unit_interval(encoded);
+    return mix(pow((x + 0.055) / 1.055, vec3(2.4)), x / 12.92, lessThanEqual(x, vec3(0.04045)));
 }

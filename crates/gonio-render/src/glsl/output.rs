@@ -8,7 +8,7 @@ use gonio_light::color::{ColorEncoding, ToneMap};
 use gonio_scene::difference::{HEAT, SIGNED};
 use std::fmt::Write;
 
-const DISPLAY_LIGHT: &str = shader_text!("../../shaders/display_light.glsl");
+pub(super) const DISPLAY_LIGHT: &str = shader_text!("../../shaders/display_light.glsl");
 pub(super) const OUTPUT_VERT: &str = shader_text!("../../shaders/output.vert");
 const OUTPUT_FRAG: &str = shader_text!("../../shaders/output.frag");
 

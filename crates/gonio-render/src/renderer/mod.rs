@@ -3,6 +3,7 @@
 
 mod bands;
 mod ground;
+mod on_window;
 mod outline;
 mod output;
 mod paint;
@@ -190,6 +191,35 @@ impl Renderer {
         Ok(target)
     }
 
+    /// Fills the light table, and binds it.
+    fn fill_light_table(&mut self, frame: &Frame, shadows: Option<&ShadowMaps>) {
+        let gl = &self.shared.gl;
+        gl.active_texture(glow::TEXTURE0 + texture_unit("light_table"));
+        self.light_table.fill(gl, &frame.lights, shadows.map(|shadows| &shadows.plan));
+    }
+
+    /// A pass over the objects with the lights of the table, which draws linear colours.
+    fn pass<'a>(
+        &'a self,
+        scene: &'a GpuScene,
+        frame: &'a Frame,
+        view: Option<ViewSpec>,
+        shadows: bool,
+    ) -> Result<Pass<'a>, GlError> {
+        Ok(Pass {
+            shared: &self.shared,
+            scene,
+            frame,
+            view,
+            white: self.white.handle(),
+            lights: &self.light_table,
+            around: BoundEnvironment::bound(&self.shared, scene, frame)?,
+            shadows,
+            display: None,
+            prepared: HashMap::new(),
+        })
+    }
+
     /// Draws the rows from `first_row` (from the picture's bottom) that `target` has room for, with [`Self::shadow_maps`] of the
     /// frame.
     fn draw_scene(
@@ -206,28 +236,13 @@ impl Renderer {
         if let Some(shadows) = shadows {
             shadows.bind(gl);
         }
-        gl.active_texture(glow::TEXTURE0 + texture_unit("light_table"));
-        self.light_table.fill(gl, &frame.lights, shadows.map(|shadows| &shadows.plan));
+        self.fill_light_table(frame, shadows);
         target.begin(gl, first_row, frame.height as i32);
         gl.enable(glow::DEPTH_TEST);
         gl.depth_func(glow::LESS);
         gl.disable(glow::BLEND);
-        let mut pass = Pass {
-            shared: &shared,
-            scene,
-            frame,
-            view,
-            white: self.white.handle(),
-            lights: &self.light_table,
-            around: BoundEnvironment::bound(&shared, scene, frame)?,
-            shadows: shadows.is_some(),
-            prepared: HashMap::new(),
-        };
-        let opaque: Vec<Draw<'_>> = scene
-            .objects
-            .iter()
-            .flat_map(|object| object.opaque.iter().map(move |run| Draw { object, run: run.clone() }))
-            .collect();
+        let mut pass = self.pass(scene, frame, view, shadows.is_some())?;
+        let opaque = opaque_draws(scene);
         let transparent = sorted_transparent(scene, frame);
         for draw in opaque.iter().chain(&transparent) {
             pass.prepare(draw)?;
@@ -263,6 +278,12 @@ impl Renderer {
         gl.bind_vertex_array(None);
         Ok(draw_calls)
     }
+}
+
+/// Opaque triangles of all objects.
+fn opaque_draws(scene: &GpuScene) -> Vec<Draw<'_>> {
+    let of_object = |object| move |run: &Run| Draw { object, run: run.clone() };
+    scene.objects.iter().flat_map(|object| object.opaque.iter().map(of_object(object))).collect()
 }
 
 /// Transparent triangles of all objects, farthest first, neighbours of one material in one draw.

@@ -88,41 +88,6 @@ impl Renderer {
         self.render(scene, frame, view)?.linear()
     }
 
-    /// [`Self::paint`] of the picture alone, without shadows: a module that calls only this contains no code for shadow maps,
-    /// debug views, overlays and counters.
-    pub fn paint_scene(&mut self, scene: &GpuScene, frame: &Frame, canvas: &mut DisplayTexture) -> Result<(), GlError> {
-        let shared = self.shared.clone();
-        let _state = SavedState::save(&shared.gl);
-        canvas.fit([frame.width, frame.height])?;
-        let (target, look) = self.linear_scene(scene, frame)?;
-        let height = frame.height as i32;
-        let whole = Band { picture_height: height, first_row: 0, rows: height };
-        shared.output_into(canvas.output(), &target, whole, &look, look.encoded())
-    }
-
-    /// [`Self::paint_scene`] over all of the context's own framebuffer, which has the frame's size: a window, or the canvas of a page.
-    pub fn paint_scene_on_window(&mut self, scene: &GpuScene, frame: &Frame) -> Result<(), GlError> {
-        let shared = self.shared.clone();
-        let _state = SavedState::save(&shared.gl);
-        let (target, look) = self.linear_scene(scene, frame)?;
-        shared.gl.bind_framebuffer(glow::FRAMEBUFFER, None);
-        shared.gl.viewport(0, 0, target.size[0], target.size[1]);
-        shared.output_onto_bound(&target, &look)
-    }
-
-    /// Draws the picture, without shadows, into a target, and returns that with the way in which it is shown.
-    fn linear_scene(&mut self, scene: &GpuScene, frame: &Frame) -> Result<(Rc<Target>, DisplaySettings), GlError> {
-        let shared = self.shared.clone();
-        let mut notes = Vec::new();
-        let target = self.target_for(scene, frame, frame.height as i32, ColorPrecision::Half, PANES, &mut notes)?;
-        let look = DisplaySettings::new(None, frame).to_be_shown();
-        // Before anything is drawn: checking whether a program linked waits for all earlier draws.
-        shared.output_program_for(&target, look.encoded())?;
-        self.draw_scene(scene, frame, None, None, &target, 0)?;
-        target.resolve(&shared.gl);
-        Ok((target, look))
-    }
-
     fn paint_onto(
         &mut self,
         scene: &GpuScene,

@@ -15,6 +15,7 @@ use gonio_gl::GlError;
 use gonio_gl::objects::DebugGroup;
 use gonio_gl::program::Program;
 use gonio_gl::trace::DrawSubject;
+use gonio_light::color::{ColorEncoding, ToneMap};
 use gonio_light::light::ambient_color;
 use gonio_light::{Convention, Quantity};
 use gonio_mesh::AmbientRule;
@@ -41,6 +42,8 @@ pub(super) struct Pass<'a> {
     pub around: Option<BoundEnvironment<'a>>,
     /// Whether shadow maps are bound.
     pub shadows: bool,
+    /// The tone map and encoding, if displayed colours are drawn.
+    pub display: Option<(ToneMap, ColorEncoding)>,
     /// Programs whose uniforms of the frame are set.
     pub prepared: HashMap<SceneKey, Rc<Program>>,
 }
@@ -110,8 +113,8 @@ impl Pass<'_> {
             },
             normal_map: maps.normal.is_some() && object.object.shading == Shading::Phong,
             vertex_colors: geometry.has_colors,
-            // Closed objects never show their back faces.
-            two_sided: self.frame.two_sided && !object.object.closed,
+            // Closed objects never show their back faces. Onto a window, they share the program of open ones.
+            two_sided: self.frame.two_sided && (!object.object.closed || self.display.is_some()),
             view: self.is_view(),
             lights: LightLoops::for_ends(self.lights.ends),
             shadows: self.shadows,
@@ -119,6 +122,7 @@ impl Pass<'_> {
                 .around
                 .as_ref()
                 .map_or(SurroundingsKey::NONE, |around| around.key(object, &material.optics, self.is_view())),
+            display: self.display,
         })
     }
 
@@ -168,6 +172,9 @@ impl Pass<'_> {
         program.set_dvec3("lafortune_diagonal", equation.brdf.map_or(DVec3::ZERO, |b| b.lafortune));
         let ambient = if equation.terms.ambient && !is_brdf { ambient_color(&frame.lights) } else { DVec3::ZERO };
         program.set_dvec3("ambient_light", ambient);
+        if self.display.is_some() {
+            program.set_f32("exposure", frame.output.exposure as f32);
+        }
         if let Some(view) = self.view {
             let chosen = match view.light {
                 Some(index) => LightTable::row_of_light(&frame.lights, index),

@@ -64,6 +64,7 @@ fn every_number_of_very_few_lights_links() {
                 lights,
                 shadows: lights != LightLoops::Unrolled([0, 0, 0]),
                 surroundings,
+                display: None,
             };
             let [vertex, fragment] = key.sources(Dialect::Core330);
             if let Err(why) = Program::new(context.gl(), &key.name(), &vertex, &fragment, &ATTRIBUTES) {
