@@ -36,3 +36,21 @@ model = "builtin:still_life"
   assert.deepEqual(Object.keys(object.parts), ["Crate_Wood"]);
   assert.ok(object.parts.Crate_Wood.shininess > 1, JSON.stringify(object.parts));
 }, { viewport: { width: 1100, height: 720 } });
+
+test("on a phone, the material of a part that was touched is in view", async (lab) => {
+  await lab.drop({ name: "parts.toml", text: `
+[camera]
+position = [3, 4, 6]
+target = [0, 0, 0]
+[[object]]
+model = "builtin:still_life"
+` });
+  await lab.until((state) => settled(state) && state.title === "parts.toml");
+  const { rect: [left, top, width, height] } = await lab.widget("pane-0");
+  await lab.page.touchscreen.tap(left + 0.35 * width, top + 0.4 * height);
+  await lab.until(({ selection }) => selection?.part_name === "Crate_Wood");
+  await lab.page.touchscreen.tap(...await lab.middle("tab-objects"));
+  assert.equal((await lab.rest()).tab, "Objects");
+  const { rect: [, valueTop, , valueHeight], clip: [, panel, , room] } = await lab.widget("object-0-ambient");
+  assert.ok(valueTop >= panel && valueTop + valueHeight <= panel + room, `the first value is at ${valueTop} in ${panel} to ${panel + room}`);
+}, { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });

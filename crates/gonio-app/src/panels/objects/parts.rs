@@ -3,7 +3,7 @@
 use super::material;
 use crate::exported::{self, WidgetRole};
 use crate::widgets::{NO_BREAK, grouped, heading};
-use egui::{Align, Atom, Button, Layout, RichText, ScrollArea, Ui, WidgetInfo, vec2};
+use egui::{Align, Atom, Button, Id, Layout, Rect, RichText, ScrollArea, Ui, WidgetInfo, vec2};
 use gonio_language::tr;
 use gonio_mesh::Material;
 use gonio_scene::Scene;
@@ -11,6 +11,8 @@ use gonio_scene::scene_file::{MaterialOverride, ObjectSpec};
 
 /// Rows of the list that are visible at once.
 const ROWS: usize = 6;
+/// Height of a material that is scrolled into view, in points: its heading and first values.
+const SHOWN: f32 = 150.0;
 
 /// Shows the list of an object's parts, if there are several. Returns the part that was pressed; `Some(None)` for all of them.
 pub fn list(ui: &mut Ui, loaded: &Scene, index: usize, selected: Option<usize>) -> Option<Option<usize>> {
@@ -54,7 +56,9 @@ pub fn list(ui: &mut Ui, loaded: &Scene, index: usize, selected: Option<usize>) 
 /// Shows the material of one part: values that replace those of the object and the file.
 pub fn material_of(ui: &mut Ui, spec: &mut ObjectSpec, loaded: &Scene, index: usize, part: usize) {
     let name = loaded.part_name(index, part);
+    let top = ui.cursor().top();
     heading(ui, &tr!("scene-material-of-part", name = name));
+    show_once(ui, top, [index, part]);
     let mut own = spec.parts.remove(&name).unwrap_or_default();
     let others = loaded.part_material(index, part, spec);
     let file = loaded.part_material_in_file(index, part).cloned().unwrap_or_default();
@@ -62,5 +66,14 @@ pub fn material_of(ui: &mut Ui, spec: &mut ObjectSpec, loaded: &Scene, index: us
     material::show(ui, &mut own, &others, &[&below], index);
     if own != MaterialOverride::default() {
         spec.parts.insert(name, own);
+    }
+}
+
+/// Scrolls to what begins at `top` when another part is selected.
+fn show_once(ui: &Ui, top: f32, part: [usize; 2]) {
+    let id = Id::unique("part whose material is shown");
+    if ui.data(|data| data.get_temp(id)) != Some(part) {
+        ui.data_mut(|data| data.insert_temp(id, part));
+        ui.scroll_to_rect(Rect::from_x_y_ranges(ui.max_rect().x_range(), top..=top + SHOWN), None);
     }
 }

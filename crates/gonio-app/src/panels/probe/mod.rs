@@ -12,7 +12,7 @@ use crate::session::probing::{GpuValue, Reading};
 use crate::session::{Selection, Session, Tab};
 use crate::theme::{self, icons};
 use crate::truth::PixelLight;
-use egui::{Align, Color32, Grid, Layout, Response, RichText, Sense, Ui, vec2};
+use egui::{Align, Color32, Grid, Layout, Response, RichText, Sense, TextStyle, TextWrapMode, Ui, WidgetText, vec2};
 use glam::DVec3;
 use gonio_language::tr;
 use gonio_light::is_noise;
@@ -79,15 +79,27 @@ fn traced(ui: &mut Ui, session: &Session, reading: &Reading) {
     exported::note(ui, &response, "probe-paths", WidgetRole::Text, tr!("scene-paths-through-the-pixel"), light.paths);
 }
 
+/// Buttons beside the pixel's position.
+const BUTTONS: f32 = 5.0;
+
 /// The pixel's position, with buttons to unpin and copy it.
 fn header(ui: &mut Ui, session: &mut Session, reading: Option<&Reading>, actions: &mut Vec<Action>) {
     let light = session.pixel_light().cloned();
     let light = light.as_ref();
     ui.horizontal(|ui| {
         let place = reading.map_or_else(|| tr!("scene-no-pixel").to_owned(), |r| tr!("scene-pixel", x = r.x, y = r.y));
-        ui.label(RichText::new(place).font(theme::bold(14.0)));
+        let place = ui.label(RichText::new(place).font(theme::bold(14.0)));
         if let Some(reading) = reading {
-            ui.label(RichText::new(tr!("scene-of-x-2", width = reading.width, height = reading.height)).weak());
+            let of = tr!("scene-of-x-2", width = reading.width, height = reading.height);
+            let label = WidgetText::from(RichText::new(of.clone()).weak());
+            let label = label.into_galley(ui, Some(TextWrapMode::Extend), f32::INFINITY, TextStyle::Body);
+            let buttons = BUTTONS * (theme::touch::least(ui).max(ui.spacing().interact_size.y) + 2.0);
+            // A phone is too narrow for it.
+            if label.size().x + buttons <= ui.available_width() {
+                ui.label(label);
+            } else {
+                place.on_hover_text(of);
+            }
         }
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             ui.spacing_mut().item_spacing.x = 2.0;

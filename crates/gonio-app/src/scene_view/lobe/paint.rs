@@ -2,7 +2,7 @@
 
 use super::SurfaceLobe;
 use crate::exported::{self, WidgetRole};
-use crate::scene_view::{Projection, paint};
+use crate::scene_view::{Projection, axes, paint};
 use crate::theme::{self, colors};
 use crate::widgets::compact;
 use egui::epaint::{Mesh, Vertex, WHITE_UV};
@@ -163,7 +163,16 @@ fn inset_place(room: Rect, point: Option<Pos2>) -> Option<Rect> {
         pos2(point.x - 0.5 * size.x, top)
     };
     let most = (inner.right_bottom() - size).max(inner.left_top());
-    Some(Rect::from_min_size(low.clamp(inner.left_top(), most), size))
+    let place = Rect::from_min_size(low.clamp(inner.left_top(), most), size);
+    Some(beside_axes(place, room, inner))
+}
+
+/// The place moved right of the axes cross in the lower left corner, if it covers that and there is room.
+fn beside_axes(place: Rect, room: Rect, inner: Rect) -> Rect {
+    let cross = Rect::from_min_max(room.left_bottom() + vec2(0.0, -axes::extent(room)), room.left_bottom());
+    let cross = cross.with_max_x(room.left() + axes::extent(room));
+    let moved = place.translate(vec2(cross.right() - place.left(), 0.0));
+    if place.intersects(cross) && moved.right() <= inner.right() { moved } else { place }
 }
 
 #[cfg(test)]
@@ -181,6 +190,17 @@ mod tests {
         }
         let beside = inset_place(room, Some(pos2(200.0, 270.0)));
         assert!(beside.is_some_and(|rect| !rect.contains(pos2(200.0, 270.0))));
+    }
+
+    /// On a phone, below a point on the left.
+    #[test]
+    fn the_inset_leaves_the_axes_cross_free() {
+        let room = Rect::from_min_size(pos2(0.0, 170.0), vec2(390.0, 371.0));
+        for x in [40.0, 136.0, 195.0] {
+            let rect = inset_place(room, Some(pos2(x, 318.0))).unwrap_or(Rect::NOTHING);
+            let cross = Rect::from_min_max(pos2(0.0, 541.0 - axes::extent(room)), pos2(axes::extent(room), 541.0));
+            assert!(!rect.intersects(cross) && room.contains_rect(rect), "{x}: {rect} over {cross}");
+        }
     }
 
     /// Half of a phone, a third of a window, a flat pane: the inset is smaller and does not hide the point; below that there is none.
