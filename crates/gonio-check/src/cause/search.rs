@@ -31,11 +31,11 @@ const MOST_RUNS: usize = 600;
 /// Most statements of a search for each run, all points together.
 const MOST_STATEMENTS: u64 = 10_000;
 /// Most runs for two causes, besides those for one.
-const MOST_RUNS_OF_PAIR: usize = 800;
+const MOST_RUNS_OF_PAIR: usize = 3_000;
 /// Most runs for the second of two causes.
 const MOST_RUNS_OF_SECOND: usize = 400;
 /// Most values that are tried as the first of two causes.
-const MOST_FIRSTS: usize = 8;
+const MOST_FIRSTS: usize = 16;
 /// Most pictures with a first cause repaired that are explained by mistakes.
 const MOST_EXPLAINED: usize = 6;
 /// Most repairs whose gain is measured.
