@@ -32,10 +32,14 @@ if [ ! -e "$source/gonio" ]; then
     curl -fsSL {url} | tar -xz --strip-components=1 -C "$source" --wildcards '*/gonio'
 fi
 chmod +x "$source/gonio" "$source/run_autograder"
-# The build of the image fails here rather than each submission later.
-"$source/gonio" lab list --course "$source/course"
+# The build of the image fails here rather than each submission later: the files to start from have to be judged, and are wrong.
+start="$(mktemp -d)"
+"$source/gonio" lab start {id} "$start/files" --course "$source/course"
+"$source/gonio" lab check {id} "$start/files" --course "$source/course" || [ $? -eq 1 ]
+rm -r "$start"
 "#,
-        version = request.version
+        version = request.version,
+        id = shell_quoted(request.id())
     )
 }
 

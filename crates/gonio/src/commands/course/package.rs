@@ -15,7 +15,7 @@ use gonio_check::feedback::Feedback;
 use gonio_course::course::{CourseExercise, CoursePolicy, with_policy};
 use gonio_course::package::{Package, PackageRequest, PackagedFile, Platform, package};
 use gonio_course::{Course, CourseFile};
-use gonio_exercises::exercise;
+use gonio_exercises::exercise::{self, ExerciseKind};
 use gonio_gl::HeadlessContext;
 use gonio_language::Language;
 use std::fs;
@@ -73,6 +73,14 @@ pub fn run(args: &PackageArgs, reporter: &Reporter) -> Result<CommandOutcome, Cl
     }
     let (files, course) = course(args)?;
     let of = find(&course, &args.exercise)?;
+    let takes_any_kind = matches!(args.platform, Platform::Gradescope | Platform::Docker);
+    if of.exercise.kind != ExerciseKind::Shaders && !takes_any_kind {
+        return Err(CliError::new(format!(
+            "{} is not answered with a pair of shaders, and {} takes only those; gradescope and docker take it",
+            of.exercise.id,
+            args.platform.word()
+        )));
+    }
     let pictures = pictures(of)?;
     let request = PackageRequest {
         course: &course,
