@@ -32,7 +32,9 @@ pub(super) fn judge(
     let testbench = judge.testbench(gl)?;
     let bindings = roles::bind(&declared(program), &judge.names_with(names));
     let is_position = |b: &Bound| b.declared.kind == VariableKind::Attribute && b.role == Role::Position;
-    if !bindings.bound.iter().any(is_position) {
+    // A program whose attributes are all known and none is the position does not read it, and is wrong.
+    let is_open = bindings.unknown.iter().any(|declared| declared.kind == VariableKind::Attribute);
+    if is_open && !bindings.bound.iter().any(is_position) {
         let mut verdict = Verdict::new(id, Outcome::Unsure, tr!("check-no-attribute-looks-like-the-position"));
         verdict.bound = bound(&bindings);
         return Ok((verdict, None));

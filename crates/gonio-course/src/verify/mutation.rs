@@ -93,7 +93,7 @@ fn changes(source: &Source<'_>, expr: &Expr) -> Vec<(Range<usize>, String)> {
             let other = if *number == 0.0 { 0.5 } else { number * 0.5 };
             vec![whole(format!("{other:?}"))]
         }
-        ExprKind::Name(name) => other_name(source, name).map(|other| whole(other)).into_iter().collect(),
+        ExprKind::Name(name) => other_name(source, name).map(whole).into_iter().collect(),
         ExprKind::Field { name, name_span, .. } if is_components(name) && name.len() > 1 => {
             let mut reversed: Vec<char> = name.chars().collect();
             reversed.rotate_left(1);

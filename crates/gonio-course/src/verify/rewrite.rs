@@ -99,13 +99,12 @@ pub fn rewrites(reference: &[String; 2], bindings: &Bindings) -> Vec<Rewrite> {
     all
 }
 
+/// A change of an expression, given the texts of its parts; `None` keeps it.
+type ExprChange = dyn Fn(&Source<'_>, &Expr, &[String]) -> Option<String>;
+
 /// The source with every expression rewritten from the inside out. `change` is given an expression and the texts of its parts.
-fn rewritten(source: &Source<'_>, change: &dyn Fn(&Source<'_>, &Expr, &[String]) -> Option<String>) -> String {
-    fn text(
-        source: &Source<'_>,
-        expr: &Expr,
-        change: &dyn Fn(&Source<'_>, &Expr, &[String]) -> Option<String>,
-    ) -> String {
+fn rewritten(source: &Source<'_>, change: &ExprChange) -> String {
+    fn text(source: &Source<'_>, expr: &Expr, change: &ExprChange) -> String {
         let parts = children(expr);
         let texts: Vec<String> = parts.iter().map(|part| text(source, part, change)).collect();
         if let Some(new) = change(source, expr, &texts) {

@@ -116,7 +116,8 @@ fn gradescopes_zip_sets_itself_up() {
 #[test]
 fn a_built_in_exercise_is_packaged_without_a_course() {
     let lab = Lab::new();
-    let package = |exercise: &str, platform: &str| lab.run(&["course", "package", exercise, "--for", platform, "-o", "x"]);
+    let package =
+        |exercise: &str, platform: &str| lab.run(&["course", "package", exercise, "--for", platform, "-o", "x"]);
     package("ex02", "coderunner").refused(&["ex02", "pair of shaders"]);
     lab.run(&[
         "course",

@@ -114,8 +114,9 @@ fn page(found: &[Verification], args: &VerifyArgs) -> TerminalPage {
         };
         row("the reference is right", one.reference == Outcome::Correct, word(one.reference).to_owned());
         row("the files to start from are not", one.start != Outcome::Correct, word(one.start).to_owned());
-        let percent =
-            |part: usize, all: usize| format!("{part} of {all} ({:.0} %)", 100.0 * part as f64 / all.max(1) as f64);
+        let percent = |part: usize, all: usize| {
+            format!("{part} of {all} ({:.0} %)", (100.0 * part as f64 / all.max(1) as f64).floor())
+        };
         row("mistakes called wrong", one.share_found() >= args.least, percent(one.called_wrong, one.visible));
         if !one.own_mistakes.is_empty() {
             let named = one.own_mistakes.iter().filter(|mistake| mistake.is_named).count();

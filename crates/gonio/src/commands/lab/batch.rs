@@ -16,8 +16,8 @@ use gonio_exercises::exercise::{Exercise, course_folder};
 use gonio_exercises::report::{self, Fingerprint, Row, SubmissionThumbnail, page_name};
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, OnceLock};
 use std::time::Instant;
 
 /// Two submissions are similar from this share on.
@@ -270,20 +270,22 @@ fn content(args: &CheckArgs, exercise: &Exercise, files: &[SourceFile], left_out
     let feedback = args.feedback.unwrap_or(exercise.feedback).word();
     let course = course_key(exercise);
     let options =
-        [exercise.id.as_str(), convention, api, pair, feedback, &course, env!("CARGO_PKG_VERSION"), PAGE_FORMAT];
+        [exercise.id.as_str(), convention, api, pair, feedback, course, env!("CARGO_PKG_VERSION"), PAGE_FORMAT];
     let options = options.into_iter().chain(left_out.iter().map(String::as_str)).map(str::as_bytes);
     content_hash(options.chain(files.iter().flat_map(|file| [file.name.as_bytes(), &file.bytes])))
 }
 
-/// What a course states about an exercise that changes verdicts and points; nothing for a built-in one.
-fn course_key(exercise: &Exercise) -> String {
-    match (course_folder(), &exercise.points) {
+/// What a course states about the exercise of this batch that changes verdicts and points; nothing for a built-in one.
+fn course_key(exercise: &Exercise) -> &'static str {
+    // Stored pictures have millions of digits.
+    static KEY: OnceLock<String> = OnceLock::new();
+    KEY.get_or_init(|| match (course_folder(), &exercise.points) {
         (None, None) => String::new(),
         (_, points) => {
             let bytes = exercise.picture_judge().map(|judge| format!("{judge:?}")).unwrap_or_default();
             format!("{points:?} {} {:016x}", exercise.like(), content_hash(std::iter::once(bytes.as_bytes())))
         }
-    }
+    })
 }
 
 /// The fingerprint of a submission for comparisons, without the text that the exercise provides.
