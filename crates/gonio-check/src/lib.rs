@@ -11,6 +11,7 @@ pub mod driver_log;
 pub mod feedback;
 pub mod mistakes;
 pub mod panorama;
+pub mod picture_judge;
 pub mod proposed_fix;
 pub mod roles;
 pub mod source;

@@ -211,6 +211,18 @@ pub struct Verdict {
     /// 1 for right answers; for wrong ones the share of test scenes that are right; 0 if it does not compile.
     #[serde(deserialize_with = "or_infinite")]
     pub score: f64,
+    /// The points, where a teacher states some; [`Verdict::score`] is their share then.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub points: Option<AwardedPoints>,
+}
+
+/// The points of an answer.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct AwardedPoints {
+    /// Those of this answer, with at most two decimals.
+    pub earned: f64,
+    /// Those of a right one.
+    pub most: f64,
 }
 
 /// The state of a property that every light equation has.
@@ -274,6 +286,7 @@ impl Verdict {
             messages: Vec::new(),
             bound: Vec::new(),
             score: if verdict == Outcome::Correct { 1.0 } else { 0.0 },
+            points: None,
         }
     }
 

@@ -69,7 +69,13 @@ pub fn check(
     options: &CheckOptions,
     feedback: Feedback,
 ) -> Result<(Verdict, Option<Evidence>), GlError> {
-    let (verdict, evidence) = whole(checker, exercise, files, options, feedback)?;
+    let (mut verdict, evidence) = whole(checker, exercise, files, options, feedback)?;
+    // What is hidden counts too.
+    if let Some(scheme) = &exercise.points {
+        let points = scheme.award(&verdict);
+        verdict.score = points.earned / points.most;
+        verdict.points = Some(points);
+    }
     let evidence = evidence.filter(|_| exercise.shows_reference).map(|evidence| feedback.reduce_pictures(evidence));
     Ok((feedback.reduce(verdict), evidence))
 }
@@ -103,6 +109,8 @@ fn whole(
         files.into_iter().filter(|file| !handed_out(&file.name) && !is_given_picture(exercise, file)).collect();
     let shader_exercise = ShaderExercise {
         id: &exercise.id,
+        task: exercise.task(),
+        judge: exercise.picture_judge(),
         start_vertex: exercise.file("start.vert"),
         start_fragment: exercise.file("start.frag"),
     };

@@ -1,14 +1,21 @@
 //! The exercises: texts, start files and references, all of them built into the program.
 
+mod of_course;
 mod translation;
 
+pub use of_course::{CourseTask, ExerciseDefinition, ShaderJudge, course_folder, install};
+pub use translation::Texts;
+
 use crate::gl_program;
+use crate::points::PointScheme;
+use gonio_check::comparison::Task;
 use gonio_check::feedback::Feedback;
+use gonio_check::picture_judge::PictureJudge;
 use gonio_language::Language;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
-use translation::{Texts, Translation};
+use translation::Translation;
 
 /// The kind of answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, serde::Serialize)]
@@ -85,11 +92,11 @@ fn shown() -> bool {
 }
 
 /// An exercise.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Exercise {
     /// The id, for example `ex04`.
     pub id: String,
-    /// Its folder in `exercises/`.
+    /// Its folder in `exercises/`, or in its course.
     pub folder: &'static str,
     /// The kind of answer.
     pub kind: ExerciseKind,
@@ -103,17 +110,51 @@ pub struct Exercise {
     pub feedback: Feedback,
     /// Whether students may see the reference solution, its values and its pictures.
     pub shows_reference: bool,
-    english: Texts,
-    french: Option<Texts>,
+    /// Points, if a teacher states some.
+    pub points: Option<PointScheme>,
+    /// Texts by language; those of the first one are shown in languages that have none.
+    texts: Vec<(Language, Texts)>,
     files: &'static [(&'static str, &'static str)],
+    pictures: &'static [(&'static str, &'static [u8])],
+    judge: ShaderJudge,
 }
 
-/// Texts are in the current language, unless one is given, and in English where a language has none.
+/// Texts are in the current language, unless one is given, and in the exercise's first language where another has none.
 impl Exercise {
     fn texts(&self, language: Language) -> &Texts {
-        match language {
-            Language::English => &self.english,
-            Language::French => self.french.as_ref().unwrap_or(&self.english),
+        let own = self.texts.iter().find(|(known, _)| *known == language);
+        // There is at least one.
+        &own.unwrap_or(&self.texts[0]).1
+    }
+
+    /// Title, summary, details and inputs in a language.
+    pub fn texts_in(&self, language: Language) -> &Texts {
+        self.texts(language)
+    }
+
+    /// The id of the built-in exercise in whose scenes it is shown: its own, or that of the exercise of its kind.
+    pub fn like(&self) -> &str {
+        match self.judge {
+            ShaderJudge::Own => &self.id,
+            ShaderJudge::Like(task) => task.like,
+            ShaderJudge::Pictures { like, .. } => like,
+        }
+    }
+
+    /// The task of its model solution, if it is judged by one.
+    pub fn task(&self) -> Option<&'static Task> {
+        match self.judge {
+            ShaderJudge::Own => Task::find(&self.id),
+            ShaderJudge::Like(task) => Some(&task.task),
+            ShaderJudge::Pictures { .. } => None,
+        }
+    }
+
+    /// The pictures that it is judged by, if it has no model solution.
+    pub fn picture_judge(&self) -> Option<&'static PictureJudge> {
+        match self.judge {
+            ShaderJudge::Pictures { judge, .. } => Some(judge),
+            _ => None,
         }
     }
 
@@ -154,10 +195,7 @@ impl Exercise {
 
     /// Returns its text in a language, in Markdown.
     pub fn text_in(&self, language: Language) -> &'static str {
-        let own = match language {
-            Language::English => None,
-            Language::French => self.file("text.fr.md"),
-        };
+        let own = self.file(&format!("text.{}.md", language.code()));
         own.or_else(|| self.file("text.md")).unwrap_or_default()
     }
 
@@ -169,18 +207,20 @@ impl Exercise {
     /// The start files: all files except the reference and `exercise.toml`. Names include folders; `text.md` is the text
     /// in the current language.
     pub fn start_files(&self) -> impl Iterator<Item = (&'static str, &'static str)> {
-        let is_answer =
-            |name: &str| name.split('/').any(|part| part.starts_with("reference")) || name == "exercise.toml";
+        let is_answer = |name: &str| {
+            name.split('/').any(|part| part.starts_with("reference"))
+                || ["exercise.toml", "mistakes.toml"].contains(&name)
+        };
+        let is_text = |name: &str| Language::ALL.iter().any(|language| name == format!("text.{}.md", language.code()));
         let text = self.text();
         (self.files.iter().copied())
-            .filter(move |(name, _)| !is_answer(name) && *name != "text.fr.md")
+            .filter(move |(name, _)| !is_answer(name) && !is_text(name))
             .map(move |(name, file)| (name, if name == "text.md" { text } else { file }))
     }
 
     /// Returns the start pictures, by name.
     pub fn pictures(&self) -> impl Iterator<Item = (&'static str, &'static [u8])> {
-        let of_this = PICTURES.iter().filter(|(folder, ..)| *folder == self.folder);
-        of_this.map(|(_, name, bytes)| (*name, *bytes))
+        self.pictures.iter().copied()
     }
 
     /// The name under which a built-in file is handed out: its path below the model's folder.
@@ -218,18 +258,27 @@ impl Exercise {
     }
 }
 
-/// All exercises, in order.
+/// All exercises, in order: those of the course that is installed, or the built-in ones.
 pub fn all() -> &'static [Exercise] {
+    of_course::exercises().unwrap_or_else(|| built_in())
+}
+
+/// The built-in exercises, in order.
+pub fn built_in() -> &'static [Exercise] {
     static ALL: LazyLock<Vec<Exercise>> =
         LazyLock::new(|| FOLDERS.iter().filter_map(|(folder, files)| read(folder, files).ok()).collect());
     &ALL
 }
 
-/// Finds an exercise by its id, number or folder: `ex04`, `4`, `04`, `EX4`, `s1`.
+/// Finds an exercise by its id, number or folder: `ex04`, `4`, `04`, `EX4`, `s1`. Those of a course precede the built-in ones.
 pub fn find(word: &str) -> Option<&'static Exercise> {
+    of_course::exercises().and_then(|own| find_in(own, word)).or_else(|| find_in(built_in(), word))
+}
+
+fn find_in<'a>(exercises: &'a [Exercise], word: &str) -> Option<&'a Exercise> {
     let word = word.to_ascii_lowercase();
     let number = word.trim_start_matches("ex").trim_start_matches('0');
-    all().iter().find(|exercise| {
+    exercises.iter().find(|exercise| {
         exercise.id == word
             || exercise.folder == word
             || (!number.is_empty() && exercise.id.trim_start_matches("ex").trim_start_matches('0') == number)
@@ -254,9 +303,13 @@ fn read(folder: &'static str, files: &'static [(&'static str, &'static str)]) ->
         given: declared.given,
         feedback: declared.feedback,
         shows_reference: declared.show_reference,
-        french: declared.fr.map(|fr| fr.of(&english)),
-        english,
+        points: None,
+        texts: std::iter::once((Language::English, english.clone()))
+            .chain(declared.fr.map(|fr| (Language::French, fr.of(&english))))
+            .collect(),
         files,
+        pictures: PICTURES.iter().find(|(of, _)| *of == folder).map_or(&[], |(_, pictures)| pictures),
+        judge: ShaderJudge::Own,
     })
 }
 
@@ -294,11 +347,12 @@ const FOLDERS: &[Folder] = &[
     folder!("s1-panorama-to-cubemap": "exercise.toml" "faces.svg" "reference.frag" "reference.vert" "start.frag" "start.vert" "text.fr.md" "text.md"),
 ];
 
-/// Pictures: folder, name and bytes.
-const PICTURES: &[(&str, &str, &[u8])] = &[(
+type Pictures = (&'static str, &'static [(&'static str, &'static [u8])]);
+
+/// Pictures by folder: name and bytes.
+const PICTURES: &[Pictures] = &[(
     "s1-panorama-to-cubemap",
-    "panorama.png",
-    include_bytes!("../../../exercises/s1-panorama-to-cubemap/panorama.png"),
+    &[("panorama.png", include_bytes!("../../../exercises/s1-panorama-to-cubemap/panorama.png"))],
 )];
 
 #[cfg(test)]

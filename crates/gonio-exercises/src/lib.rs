@@ -10,6 +10,7 @@ mod cubemap;
 pub mod exercise;
 mod folder;
 pub mod gl_program;
+pub mod points;
 pub mod preview;
 pub mod report;
 pub mod score;

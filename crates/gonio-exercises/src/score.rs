@@ -4,7 +4,7 @@
 use crate::check::{Checker, check};
 use crate::exercise::Exercise;
 use gonio_check::CheckOptions;
-use gonio_check::comparison::{Comparison, Evidence, Task};
+use gonio_check::comparison::{Comparison, Evidence};
 use gonio_check::feedback::Feedback;
 use gonio_check::mistakes::{Hypotheses, Hypothesis};
 use gonio_check::submission::SourceFile;
@@ -80,7 +80,7 @@ pub struct Score {
 /// evenly over all pairs, and checks each.
 pub fn measure(checker: &mut Checker, exercise: &Exercise, pairs: usize) -> Result<Score, GlError> {
     let mut score = Score { exercise: exercise.id.clone(), ..Score::default() };
-    let Some(task) = Task::find(&exercise.id) else { return Ok(score) };
+    let Some(task) = exercise.task() else { return Ok(score) };
     let hypotheses = Hypotheses::for_model(task.model);
     let is_wrong = |h: &&Hypothesis| h.mistakes.iter().all(|&m| !hypotheses.mistakes[m].harmless);
     let singles: Vec<&Hypothesis> = hypotheses.singles.iter().filter(is_wrong).collect();

@@ -78,10 +78,18 @@ fn reports(verdict: &Verdict) -> Vec<(&'static str, String)> {
         ("junit", report::junit(&[("ada".to_owned(), verdict.clone())])),
         ("gradescope", report::gradescope(verdict, 10.0)),
         ("code runner", report::code_runner(verdict)),
+        ("classroom", report::classroom(verdict, 10.0)),
         ("csv", report::csv(&rows, 100.0)),
         (
             "overview",
-            report::overview(&Overview { title: "ex04", rows: &rows, similar: &[], skipped: &[], most_points: 100.0 }),
+            report::overview(&Overview {
+                title: "ex04",
+                rows: &rows,
+                similar: &[],
+                skipped: &[],
+                most_points: 100.0,
+                has_scheme: false,
+            }),
         ),
         ("rows", serde_json::to_string(&rows).unwrap()),
     ]

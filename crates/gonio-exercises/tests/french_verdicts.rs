@@ -227,7 +227,8 @@ fn reports(language: Language) -> Vec<(&'static str, String)> {
     let verdict = whole();
     let rows = [Row::new("ada", &verdict, 0.5), Row::new("bob", &Verdict::new("y", Outcome::Correct, "ooo"), 0.5)];
     let skipped = ["ooo".to_owned()];
-    let batch = Overview { title: "ooo", rows: &rows, similar: &[], skipped: &skipped, most_points: 20.0 };
+    let batch =
+        Overview { title: "ooo", rows: &rows, similar: &[], skipped: &skipped, most_points: 20.0, has_scheme: false };
     let sources = [SourceFile::new("a.vert", "o\nu\n")];
     let page = report::with_neighbours(&report::page("ada", &verdict, None, &sources), Some("bob"), None);
     let gradescope: serde_json::Value = serde_json::from_str(&report::gradescope(&verdict, 10.0)).unwrap();

@@ -39,7 +39,7 @@ pub mod texture;
 mod texture_library;
 mod texture_recipe;
 pub mod toml_file;
-mod toml_table;
+pub mod toml_table;
 pub mod validate;
 pub mod view;
 

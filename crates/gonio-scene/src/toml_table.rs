@@ -1,4 +1,4 @@
-//! The tables of scene files and options before they are interpreted: a tree of values with their positions in the
+//! The tables of scene files, options and other files before they are interpreted: a tree of values with their positions in the
 //! text, and typed access to it.
 //!
 //! Every key that is read is a known key, so the list in an error message is complete.
@@ -12,38 +12,52 @@ use toml::de::{DeTable, DeValue};
 
 /// A value and its place, bytes of the text.
 #[derive(Clone, Debug)]
-pub(crate) struct Item {
+pub struct Item {
+    /// The value.
     pub value: Value,
+    /// Its place.
     pub span: Range<usize>,
 }
 
 /// A value.
 #[derive(Clone, Debug)]
-pub(crate) enum Value {
+pub enum Value {
+    /// A number, whole or not.
     Number(f64),
+    /// A string.
     Text(String),
+    /// `true` or `false`.
     Truth(bool),
+    /// A list.
     List(Vec<Item>),
+    /// A table, in the order of the text.
     Table(Vec<Entry>),
+    /// A date or a time.
     Date,
 }
 
 /// `key = value`
 #[derive(Clone, Debug)]
-pub(crate) struct Entry {
+pub struct Entry {
+    /// The key.
     pub key: String,
+    /// Its place.
     pub key_span: Range<usize>,
+    /// Its value.
     pub item: Item,
 }
 
 /// An error at some bytes of the text.
 #[derive(Clone, Debug)]
-pub(crate) struct Fault {
+pub struct Fault {
+    /// What is wrong, in one sentence.
     pub message: String,
+    /// The place.
     pub span: Option<Range<usize>>,
 }
 
 impl Fault {
+    /// An error at a place.
     pub fn at(span: &Range<usize>, message: impl Into<String>) -> Self {
         Fault { message: message.into(), span: Some(span.clone()) }
     }
@@ -96,7 +110,10 @@ impl Item {
 }
 
 /// The tree of a TOML text.
-pub(crate) fn parse_toml(text: &str) -> Result<Item, Fault> {
+///
+/// # Errors
+/// The text is not TOML.
+pub fn parse_toml(text: &str) -> Result<Item, Fault> {
     let table = DeTable::parse(text).map_err(|e| {
         let message = e.message().trim_end_matches('.').replace('\n', ", ");
         Fault { message: format!("this is not TOML: {message}"), span: e.span() }
@@ -135,7 +152,7 @@ fn value_of(value: &DeValue<'_>) -> Value {
 }
 
 /// Line, from 1, and column in bytes, from 1, of the byte at `offset`.
-pub(crate) fn line_and_column(text: &str, offset: usize) -> (u64, u64) {
+pub fn line_and_column(text: &str, offset: usize) -> (u64, u64) {
     let before = &text.as_bytes()[..offset.min(text.len())];
     let line = before.iter().filter(|&&b| b == b'\n').count() as u64 + 1;
     let column = before.len() - before.iter().rposition(|&b| b == b'\n').map_or(0, |i| i + 1);
@@ -143,7 +160,7 @@ pub(crate) fn line_and_column(text: &str, offset: usize) -> (u64, u64) {
 }
 
 /// One table being read.
-pub(crate) struct TableReader<'a> {
+pub struct TableReader<'a> {
     /// `[camera]`, `[[light]]`: for messages.
     heading: String,
     entries: &'a [Entry],
@@ -211,6 +228,43 @@ impl<'a> TableReader<'a> {
             Value::Truth(truth) => Ok(Some(truth)),
             _ => Err(Self::expected(key, "true or false", item)),
         }
+    }
+
+    /// The index of one of the words `known`.
+    pub fn choice(&mut self, key: &'static str, known: &'static [&'static str]) -> Result<Option<usize>, Fault> {
+        let Some(item) = self.get(key) else { return Ok(None) };
+        let Value::Text(text) = &item.value else { return Err(Self::expected(key, "a word in quotes", item)) };
+        match known.iter().position(|word| word == text) {
+            Some(found) => Ok(Some(found)),
+            None => {
+                let meant = nearest_word(text, known.iter().copied());
+                let meant = meant.map_or(String::new(), |word| format!("; did you mean `{word}`?"));
+                let message = format!("`{key}`: unknown word `{text}`, expected {}{meant}", known.join(", "));
+                Err(Fault::at(&item.span, message))
+            }
+        }
+    }
+
+    /// A list of strings.
+    pub fn texts(&mut self, key: &'static str) -> Result<Option<Vec<String>>, Fault> {
+        let Some(item) = self.get(key) else { return Ok(None) };
+        let Value::List(items) = &item.value else { return Err(Self::expected(key, "a list of strings", item)) };
+        let text = |item: &Item| match &item.value {
+            Value::Text(text) => Ok(text.clone()),
+            _ => Err(Self::expected(key, "strings in the list", item)),
+        };
+        items.iter().map(text).collect::<Result<_, _>>().map(Some)
+    }
+
+    /// The entries of a table with names that the user chose.
+    pub fn entries(&mut self, key: &'static str, heading: &str) -> Result<&'a [Entry], Fault> {
+        Ok(self.table(key, heading)?.map_or(&[], |table| table.entries))
+    }
+
+    /// The place of the value of `key`, or of the whole table.
+    #[must_use]
+    pub fn place(&self, key: &str) -> Range<usize> {
+        self.entries.iter().find(|e| e.key == key).map_or(self.span.clone(), |e| e.item.span.clone())
     }
 
     /// Three numbers.

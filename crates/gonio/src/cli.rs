@@ -38,6 +38,7 @@ Materials:
 
 Exercises:
   lab          Exercises, students' shaders, and a checker that names the mistake
+  course       Exercises of your own: write, verify, package for graders
   lsp          Serve an editor: messages of compilers, mistakes at their lines, values of variables
 
 Understanding:
@@ -92,6 +93,9 @@ pub enum Command {
     Frame(Box<commands::frame::FrameArgs>),
     Bake(Box<commands::bake::BakeArgs>),
     Convert(commands::convert::ConvertArgs),
+    /// Exercises of your own: write, verify, package for graders.
+    #[command(subcommand)]
+    Course(commands::course::CourseCommand),
     /// Convert between panoramas and cubemaps; check their orientation.
     #[command(subcommand)]
     Environment(commands::environment::EnvironmentCommand),
@@ -126,6 +130,7 @@ impl Command {
             Command::Frame(_) => "frame",
             Command::Bake(_) => "bake",
             Command::Convert(_) => "convert",
+            Command::Course(_) => "course",
             Command::Environment(_) => "environment",
             Command::Brdf(_) => "brdf",
             Command::Diff(_) => "diff",
@@ -154,6 +159,7 @@ impl Command {
             Command::Frame(args) => &args.general,
             Command::Bake(args) => &args.general,
             Command::Convert(args) => &args.general,
+            Command::Course(command) => command.general(),
             Command::Environment(command) => command.general(),
             Command::Brdf(command) => command.general(),
             Command::Diff(args) => &args.general,
@@ -183,6 +189,7 @@ impl Command {
             Command::Frame(args) => commands::frame::run(args, reporter),
             Command::Bake(args) => commands::bake::run(args, reporter),
             Command::Convert(args) => commands::convert::run(args, reporter),
+            Command::Course(command) => commands::course::run(command, reporter),
             Command::Environment(command) => commands::environment::run(command, reporter),
             Command::Brdf(command) => commands::brdf::run(command, reporter),
             Command::Diff(args) => commands::diff::run(args, reporter),

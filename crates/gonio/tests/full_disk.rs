@@ -143,3 +143,11 @@ fn a_station_is_written_completely() {
 fn the_tour_is_written_completely() {
     all_or_none(|_| {}, &["tour", "-o", "new/tour", "--scale", "0.05", "--backend", "cpu"]);
 }
+
+#[test]
+fn courses_and_packages_are_written_completely() {
+    all_or_none(|_| {}, &["course", "new", "new/course"]);
+    for platform in ["moodle", "github-classroom"] {
+        all_or_none(|_| {}, &["course", "package", "ex07", "--for", platform, "-o", "package"]);
+    }
+}

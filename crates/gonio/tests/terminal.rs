@@ -68,6 +68,12 @@ fn arguments() {
         vec!["lab", "check", EVIL, "x"],
         vec!["lab", "check", "ex04", "x", "--format", EVIL],
         vec!["lsp", "--exercise", EVIL],
+        vec!["lab", "list", "--course", EVIL],
+        vec!["course", "new", "x", "--from", EVIL],
+        vec!["course", "verify", EVIL],
+        vec!["course", "package", EVIL, "--for", "moodle", "-o", "x"],
+        vec!["course", "package", "ex04", "--for", "docker", "-o", "x", "--program", EVIL],
+        vec!["course", "package", "ex04", "--for", "docker", "-o", "x", "--program-url", EVIL],
         vec!["lab", "show", EVIL],
         vec!["lab", "mistakes", EVIL],
         vec!["lab", "draw", "ex07", "-o", "x.png", "--scene", EVIL],
@@ -268,6 +274,39 @@ fn files_of_a_verdict() {
         assert!(hidden.is_none(), "{name}: {hidden:?}");
         assert!(text.contains("x1b[2K"), "{name} does not quote it: {text}");
     }
+}
+
+#[test]
+fn courses() {
+    let lab = Lab::new();
+    let key = evil_line().chars().map(|c| format!("\\U{:08x}", u32::from(c))).collect::<String>();
+    lab.run(&["course", "new", "a", "--from", "reference", "--language", "en"]).good();
+    let edit = |name: &str, from: &str, to: &str| {
+        let text = String::from_utf8(lab.read(name)).unwrap();
+        assert!(text.contains(from), "{text}");
+        lab.write(name, text.replace(from, to));
+    };
+    edit("a/course.toml", "My course", &key);
+    edit("a/rim-light/exercise.toml", "title = \"Rim light\"", &format!("title = \"{key}\""));
+    edit("a/rim-light/exercise.toml", "name = \"from above\"", &format!("name = \"{key}\""));
+    edit("a/rim-light/mistakes.toml", "The rim depends on the light instead of the camera", &key);
+    lab.write("a/rim-light/text.md", EVIL);
+    lab.write(&format!("a/rim-light/unused{EVIL}"), "");
+    harmless(&lab, &["lab", "list", "--course", "a"]);
+    harmless(&lab, &["lab", "show", "rim-light", "--course", "a"]);
+    harmless(&lab, &["course", "verify", "a", "--mutants", "1"]);
+    std::fs::create_dir(lab.path("wrong")).unwrap();
+    for end in ["vert", "frag"] {
+        let text = String::from_utf8(lab.read(&format!("a/rim-light/reference.{end}"))).unwrap();
+        lab.write(&format!("wrong/x.{end}"), text.replace("dot(N, V)", "dot(N, L)"));
+    }
+    harmless(&lab, &["lab", "check", "rim-light", "wrong", "--course", "a"]);
+    // A course around the current folder is mentioned by its name.
+    let output = lab.command(&["lab", "list"]).current_dir(lab.path("a")).output().unwrap();
+    assert!(faults(&output.stderr, false).is_empty() && String::from_utf8(output.stderr).unwrap().contains("\\x1b[2K"));
+    edit("a/rim-light/exercise.toml", "judge =", &format!("\"{key}\" = 1\njudge ="));
+    harmless(&lab, &["lab", "list", "--course", "a"]);
+    harmless(&lab, &["course", "new", &format!("b{EVIL}")]);
 }
 
 #[test]

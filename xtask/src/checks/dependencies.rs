@@ -62,6 +62,8 @@ pub const RULES: &[Rule] = &[
     Rule { krate: "gonio-submissions", may_know: &["gonio-glsl", "gonio-interpreter"], tests_may_know: &[] },
     Rule { krate: "gonio-check", may_know: BELOW_CHECK, tests_may_know: &[] },
     Rule { krate: "gonio-exercises", may_know: BELOW_EXERCISES, tests_may_know: &[] },
+    // Exercises that are read from a folder; the page has the built-in ones alone.
+    Rule { krate: "gonio-course", may_know: BELOW_COURSES, tests_may_know: &[] },
     Rule { krate: "gonio-app", may_know: BELOW_SHELLS, tests_may_know: &[] },
     // The page is the application, and the checker and the path tracer in workers beside it; the tracer's worker bakes
     // and computes stations too.
@@ -147,6 +149,8 @@ const BELOW_EXERCISES: &[&str] = &[
     "gonio-check",
     "gonio-submissions",
 ];
+const BELOW_COURSES: &[&str] =
+    &["gonio-language", "gonio-mesh", "gonio-scene", "gonio-gl", "gonio-glsl", "gonio-check", "gonio-exercises"];
 const BELOW_SHELLS: &[&str] = &[
     "gonio-language",
     "gonio-light",
@@ -193,6 +197,7 @@ const COMMAND_LINE: &[&str] = &[
     "gonio-check",
     "gonio-submissions",
     "gonio-exercises",
+    "gonio-course",
     "gonio-app",
 ];
 

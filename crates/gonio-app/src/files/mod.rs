@@ -17,7 +17,7 @@ pub mod zip;
 pub use gathered::{GatheredInputs, gather};
 pub use memory::MemoryFiles;
 pub use sources::{Adopted, Layered, ReadRecorder};
-pub use zip::pack;
+pub use zip::{PackedFile, pack, pack_all};
 
 use gonio_check::submission::SourceFile;
 use gonio_check::user_shaders::names_beside;

@@ -191,10 +191,30 @@ const FLAGS: u16 = 1 << 11;
 /// The first date that zip files can state, so that packed files are the same in every build.
 const DATE: u16 = 1 << 5 | 1;
 
+/// The system that made the file, in the upper byte: Unix, whose permissions are in the external attributes.
+const MADE_BY: u16 = 3 << 8 | VERSION;
+
+/// A file to pack.
+#[derive(Clone, Copy, Debug)]
+pub struct PackedFile<'a> {
+    /// Its name, with `/` between folders.
+    pub name: &'a str,
+    /// Its content.
+    pub bytes: &'a [u8],
+    /// Whether it is a program.
+    pub is_executable: bool,
+}
+
 /// Packs files into an uncompressed zip file; names have `/` between folders. Files are small: there are no 64-bit sizes.
 pub fn pack(files: &[(&str, &[u8])]) -> Vec<u8> {
+    let files = files.iter().map(|&(name, bytes)| PackedFile { name, bytes, is_executable: false });
+    pack_all(&files.collect::<Vec<_>>())
+}
+
+/// [`pack`] with permissions.
+pub fn pack_all(files: &[PackedFile<'_>]) -> Vec<u8> {
     let (mut zip, mut directory) = (Vec::new(), Vec::new());
-    for (name, bytes) in files {
+    for PackedFile { name, bytes, is_executable } in files {
         let at = zip.len() as u32;
         let mut common = Vec::new();
         for number in [VERSION, FLAGS, 0, 0, DATE] {
@@ -212,9 +232,11 @@ pub fn pack(files: &[(&str, &[u8])]) -> Vec<u8> {
         zip.extend(name.as_bytes());
         zip.extend(*bytes);
         directory.extend(b"PK\x01\x02");
-        directory.extend(VERSION.to_le_bytes());
+        directory.extend(MADE_BY.to_le_bytes());
         directory.extend(&common);
-        directory.extend([0; 12]);
+        directory.extend([0; 8]);
+        let permissions: u32 = if *is_executable { 0o100_755 } else { 0o100_644 };
+        directory.extend((permissions << 16).to_le_bytes());
         directory.extend(at.to_le_bytes());
         directory.extend(name.as_bytes());
     }

@@ -446,7 +446,11 @@ fn named(cause: &ProvenCause, submission: &Submission) -> Option<Vec<FoundMistak
 }
 
 /// The mistake with its file, line and the text of the line.
-pub(super) fn placed(found: FoundMistake, (stage, span): (Stage, Span), submission: &Submission) -> FoundMistake {
+pub(in crate::check) fn placed(
+    found: FoundMistake,
+    (stage, span): (Stage, Span),
+    submission: &Submission,
+) -> FoundMistake {
     let text: &StageText = if stage == Stage::Vertex { &submission.vertex } else { &submission.fragment };
     let (file, line, _) = text.place(span.line, span.column);
     found.at(file, Some(line), text.line(span.line).unwrap_or_default())

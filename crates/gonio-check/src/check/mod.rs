@@ -1,5 +1,6 @@
 //! Checks a student's files and returns a verdict.
 
+mod by_reference;
 mod by_values;
 mod corrections;
 mod proposed;
@@ -13,6 +14,7 @@ use crate::compile::{ParsedStage, compile, compiler_messages, does_not_link, fir
 use crate::dataflow::Shader;
 use crate::mistakes::{self, ModelSolution};
 use crate::panorama;
+use crate::picture_judge::PictureJudge;
 use crate::roles::{Declared, NamesFile};
 use crate::source::{Analysis, Place};
 use crate::submission::{SourceFile, Submission};
@@ -32,10 +34,14 @@ pub struct CheckOptions {
 }
 
 /// The parts of an exercise that the checker needs.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ShaderExercise<'a> {
     /// The identifier, such as `ex04`.
     pub id: &'a str,
+    /// The task, if the exercise is judged by a model solution.
+    pub task: Option<&'static Task>,
+    /// The right pictures of an exercise without a model solution, which precede the task.
+    pub judge: Option<&'a PictureJudge>,
     /// The vertex shader that students start from.
     pub start_vertex: Option<&'a str>,
     /// The fragment shader that students start from.
@@ -43,10 +49,10 @@ pub struct ShaderExercise<'a> {
 }
 
 impl<'a> ShaderExercise<'a> {
-    /// Creates an exercise without start files.
+    /// Creates one of the built-in exercises, without start files.
     #[must_use]
     pub fn new(id: &'a str) -> Self {
-        ShaderExercise { id, ..ShaderExercise::default() }
+        ShaderExercise { id, task: Task::find(id), ..ShaderExercise::default() }
     }
 }
 
@@ -93,9 +99,9 @@ fn check_files(
     purpose: Purpose,
 ) -> Result<(Verdict, Option<Evidence>), GlError> {
     let unsure = |sentence: String| Ok((Verdict::new(exercise.id, Outcome::Unsure, sentence), None));
-    let Some(task) = Task::find(exercise.id) else {
+    if exercise.task.is_none() && exercise.judge.is_none() {
         return unsure(tr!("check-cannot-be-checked-yet", id = exercise.id));
-    };
+    }
     let hints = [exercise.id];
     let given = if purpose == Purpose::Fix { files.clone() } else { Vec::new() };
     let submission = match Submission::gather_with(files, options.pair.as_deref(), &hints) {
@@ -126,6 +132,19 @@ fn check_files(
     if let Some(verdict) = does_not_link(exercise.id, &vertex, &fragment) {
         return Ok((verdict, None));
     }
+    if let Some(judge) = exercise.judge {
+        let (mut verdict, evidence) =
+            by_reference::judge(checker.gl(), judge, exercise.id, &submission, &program, &names)?;
+        if verdict.verdict == Outcome::Wrong && is_unchanged(exercise, &submission) {
+            report_unchanged(&mut verdict);
+        }
+        verdict.warnings.extend(submission.warnings.iter().cloned());
+        verdict.warnings.extend(strictness(&vertex, &fragment));
+        return Ok((verdict, evidence));
+    }
+    let Some(task) = exercise.task else {
+        return unsure(tr!("check-cannot-be-checked-yet", id = exercise.id));
+    };
     let shaders = [&vertex, &fragment].map(|stage| Shader { parsed: &stage.parsed, checked: &stage.checked });
     let source = match task.model.is_of_places() {
         true => Analysis::new(&shaders[0], &shaders[1], &names),

@@ -43,7 +43,7 @@ pub fn mistake(id: &str, share: f64) -> Option<FoundMistake> {
 }
 
 /// Warns of pixels without a number.
-pub(super) fn warn_of_undefined(verdict: &mut Verdict, seen: &Atlas) {
+pub(crate) fn warn_of_undefined(verdict: &mut Verdict, seen: &Atlas) {
     let is_undefined = |p: &&[f32; 4]| Atlas::is_drawn(p) && p.iter().take(3).any(|c| !c.is_finite());
     let undefined = seen.pixels.iter().filter(is_undefined).count();
     if undefined > 0 {
@@ -79,7 +79,7 @@ pub(crate) fn peculiarities_of(
 }
 
 /// Returns the verdicts on test scenes; `comparison` compares with the right answer.
-pub(super) fn scenes(testbench: &Testbench, comparison: &Comparison) -> Vec<SceneVerdict> {
+pub(crate) fn scenes(testbench: &Testbench, comparison: &Comparison) -> Vec<SceneVerdict> {
     testbench
         .test_scenes()
         .iter()

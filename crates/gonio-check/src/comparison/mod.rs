@@ -12,7 +12,9 @@ mod task;
 
 pub use compare::{Comparison, PIXEL_TOLERANCE, PIXELS_TOLERANCE, pixel_difference};
 pub use conclusion::mistake as named;
-pub(crate) use conclusion::{MOST_FOR_WRONG, bound, fixed, peculiarities_of};
+pub(crate) use conclusion::{
+    MOST_FOR_WRONG, bound, fixed, peculiarities_of, scenes as scene_verdicts, warn_of_undefined,
+};
 pub(crate) use fit::weighted_strengths;
 pub use parameterisation::{Lights, Parameterisation, Second};
 pub(crate) use pictures::{PossibleAnswer, RightAnswer};

@@ -5,11 +5,15 @@ use serde::Deserialize;
 use std::collections::BTreeMap;
 
 /// An exercise's texts in one language, except the long one.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Texts {
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Texts {
+    /// The title.
     pub title: String,
+    /// The task in one sentence.
     pub summary: String,
+    /// Details to look for in the picture.
     pub look_for: Vec<LookFor>,
+    /// The inputs.
     pub inputs: Inputs,
 }
 

@@ -147,13 +147,14 @@ impl PreviewScene {
 
 /// The checker's scenes of an exercise; none if the checker draws nothing for it.
 pub fn test_scenes(exercise: &Exercise) -> Vec<PreviewScene> {
-    let Some(task) = Task::find(&exercise.id) else { return Vec::new() };
-    let has_sky = matches!(exercise.id.as_str(), "ex09" | "ex10");
-    task.test_scenes()
-        .0
-        .into_iter()
-        .map(|values| PreviewScene { has_sky, has_lamp: task.model.is_lit(), ..of_test(values) })
-        .collect()
+    let has_sky = matches!(exercise.like(), "ex09" | "ex10");
+    let Some(task) = Task::find(exercise.like()) else { return Vec::new() };
+    let scenes = match exercise.picture_judge() {
+        Some(judge) => judge.scenes.all.clone(),
+        None => task.test_scenes().0,
+    };
+    let preview = |values| PreviewScene { has_sky, has_lamp: task.model.is_lit(), ..of_test(values) };
+    scenes.into_iter().map(preview).collect()
 }
 
 /// The same objects, values and camera as in a test scene.
@@ -175,7 +176,7 @@ fn of_test(values: TestScene) -> PreviewScene {
 
 /// The scenes of an exercise to look at, the lab's first; at least one.
 pub fn scenes(exercise: &Exercise) -> Vec<PreviewScene> {
-    match exercise.id.as_str() {
+    match exercise.like() {
         "ex01" => vec![pyramid(), landmarks()],
         "ex08" => vec![sky()],
         "ex09" | "ex10" => vec![mirrored(PreviewShape::Smooth), mirrored(PreviewShape::Torus)],

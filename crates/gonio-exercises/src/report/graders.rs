@@ -1,7 +1,7 @@
-//! Results for the graders of courses: Gradescope, and CodeRunner in Moodle.
+//! Results for the graders of courses: Gradescope, CodeRunner in Moodle, and GitHub Classroom.
 
 use super::junit::proposed_fix_text;
-use super::text::{line, percent, place, plain, unit, words};
+use super::text::{line, percent, place, plain, points, points_line, unit, words};
 use super::verdict_parts::{messages_html, mistakes_html, notes_html, proposed_fix_html, verdict_html};
 use gonio_check::testbench::scene;
 use gonio_check::verdict::{Outcome, SceneVerdict, TermState, TermVerdict, Verdict};
@@ -17,13 +17,13 @@ use serde_json::{Value, json};
 /// cannot be tested alone have no status either.
 pub fn gradescope(verdict: &Verdict, max_score: f64) -> String {
     let max_score = if max_score.is_finite() { max_score.max(0.0) } else { 0.0 };
-    let points = |share: f64| {
+    let share_of = |share: f64| {
         let share = if share.is_finite() { share.clamp(0.0, 1.0) } else { 0.0 };
         (share * max_score * 1e6).round() / 1e6
     };
     let mut tests = vec![whole(verdict)];
     if verdict.scenes.is_empty() {
-        tests[0]["score"] = json!(points(verdict.score));
+        tests[0]["score"] = json!(share_of(verdict.score));
         tests[0]["max_score"] = json!(max_score);
     }
     for term in &verdict.terms {
@@ -37,7 +37,7 @@ pub fn gradescope(verdict: &Verdict, max_score: f64) -> String {
         }
         tests.push(test);
     }
-    let each = points(1.0 / verdict.scenes.len().max(1) as f64);
+    let each = share_of(1.0 / verdict.scenes.len().max(1) as f64);
     for scene in &verdict.scenes {
         tests.push(json!({
             "name": scene_name(scene),
@@ -49,13 +49,42 @@ pub fn gradescope(verdict: &Verdict, max_score: f64) -> String {
         }));
     }
     json!({
-        "score": points(verdict.score),
+        "score": share_of(verdict.score),
         "output": text_output(verdict),
         "output_format": "text",
         "test_output_format": "text",
         "visibility": "visible",
         "stdout_visibility": "hidden",
         "tests": tests,
+    })
+    .to_string()
+}
+
+/// The result of a step that GitHub Classroom's autograding reporter reads, in base64, from an environment variable.
+///
+/// Used: `max_score`, and one test with `score`, `status` and `message`. The grade is the sum of the scores; the table that the reporter
+/// prints in its log counts tests that passed, and so shows a partly right answer as 0.
+pub fn classroom(verdict: &Verdict, max_score: f64) -> String {
+    let max_score = if max_score.is_finite() { max_score.max(0.0) } else { 0.0 };
+    let status = match verdict.verdict {
+        Outcome::Correct => "pass",
+        Outcome::Wrong | Outcome::DoesNotCompile => "fail",
+        Outcome::Unsure => "error",
+    };
+    json!({
+        "version": 1,
+        "status": status,
+        "max_score": max_score,
+        "tests": [{
+            "name": line(&verdict.exercise),
+            "status": status,
+            "score": points(verdict.score, max_score),
+            "message": text_output(verdict),
+            "test_code": "",
+            "filename": "",
+            "line_no": 0,
+            "execution_time": 0,
+        }],
     })
     .to_string()
 }
@@ -152,6 +181,7 @@ fn whole(verdict: &Verdict) -> Value {
 /// Everything that a student should read, as plain text.
 fn text_output(verdict: &Verdict) -> String {
     let mut lines = vec![outcome_and_summary(verdict)];
+    lines.extend(verdict.points.as_ref().map(points_line));
     for mistake in &verdict.mistakes {
         lines.push(String::new());
         lines.push(format!("{} [{}]", line(&mistake.name), line(&mistake.id)));

@@ -26,7 +26,7 @@ mod tests;
 
 pub use address::{page_name, uri_of};
 pub use annotations::{Annotation, AnnotationKind, COMPILER, VERDICT, WARNING, annotations, gcc, github};
-pub use graders::{code_runner, gradescope};
+pub use graders::{classroom, code_runner, gradescope};
 pub use junit::junit;
 pub use navigation::{in_page_order, with_neighbours};
 pub use overview::{Overview, overview};
@@ -36,5 +36,5 @@ pub use picture::contact_sheet;
 pub use sarif::sarif;
 pub use similarity::{Fingerprint, SimilarGroup, similar_groups, similar_pairs, similarity};
 pub use table::{Row, RowMistake, csv};
-pub use text::{is_hidden, push_visible, visible};
+pub use text::{is_hidden, points_line, push_visible, visible};
 pub use thumbnail::SubmissionThumbnail;

@@ -459,7 +459,14 @@ fn class() -> Vec<Row> {
 fn overview_of(rows: &[Row]) -> String {
     let similar = [("group 9".to_owned(), "Group 10".to_owned(), 0.7), (EVIL.to_owned(), "group 9".to_owned(), 0.96)];
     let similar = similar_groups(&similar);
-    overview(&Overview { title: EVIL, rows, similar: &similar, skipped: &[EVIL.to_owned()], most_points: 20.0 })
+    overview(&Overview {
+        title: EVIL,
+        rows,
+        similar: &similar,
+        skipped: &[EVIL.to_owned()],
+        most_points: 20.0,
+        has_scheme: false,
+    })
 }
 
 #[test]
@@ -484,7 +491,14 @@ fn an_overview_begins_with_the_submissions_and_ends_with_similarity() {
     assert_eq!(markup.attributes("href").filter(|place| place.starts_with("#submission-")).count(), 2);
     let finding = "./group%209.html#finding-1";
     assert_eq!(markup.attributes("href").filter(|place| *place == finding).count(), 1);
-    read_page(&overview(&Overview { title: "none", rows: &[], similar: &[], skipped: &[], most_points: f64::NAN }));
+    read_page(&overview(&Overview {
+        title: "none",
+        rows: &[],
+        similar: &[],
+        skipped: &[],
+        most_points: f64::NAN,
+        has_scheme: true,
+    }));
 }
 
 #[test]
@@ -513,7 +527,15 @@ fn one_is_singular() {
     verdict.warnings = vec!["w".to_owned()];
     let rows = [Row::new("ada", &verdict, 1.0)];
     let one = |skipped: &[String]| {
-        read_page(&overview(&Overview { title: "t", rows: &rows, similar: &[], skipped, most_points: 1.0 })).text
+        read_page(&overview(&Overview {
+            title: "t",
+            rows: &rows,
+            similar: &[],
+            skipped,
+            most_points: 1.0,
+            has_scheme: false,
+        }))
+        .text
     };
     let text = one(&[]);
     assert!(

@@ -1,6 +1,6 @@
 //! Text for formats with markup: escaping, and visible forms of hidden characters.
 
-use gonio_check::verdict::Outcome;
+use gonio_check::verdict::{AwardedPoints, Outcome};
 use gonio_language::tr;
 use std::borrow::Cow;
 use std::fmt::Write as _;
@@ -175,6 +175,11 @@ pub fn points(share: f64, most: f64) -> f64 {
     let (share, most) = (unit(share), if most.is_finite() { most.max(0.0) } else { 0.0 });
     let rounded = (share * most * 100.0).round() / 100.0;
     if share < 1.0 { rounded.min((most * 100.0).ceil() / 100.0 - 0.01).max(0.0) } else { most }
+}
+
+/// Awarded points in words: `17 of 20 points`.
+pub fn points_line(points: &AwardedPoints) -> String {
+    tr!("check-points", earned = points.earned, most = points.most)
 }
 
 /// Compares names without case, and with numbers by value: `group 9` comes before `group 10`.

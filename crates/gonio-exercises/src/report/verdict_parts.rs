@@ -6,7 +6,7 @@
 use super::address::finding_anchor;
 use super::html::{Icon, MOST_SHOWN, capital, prose, sentence, shown};
 use super::listing::Listing;
-use super::text::{escaped, escaped_line, line, percent, word, words};
+use super::text::{escaped, escaped_line, line, percent, points_line, word, words};
 use gonio_check::proposed_fix::{self, DiffLine};
 use gonio_check::testbench::scene;
 use gonio_check::verdict::{CompilerMessage, FoundMistake, PropertyState, PropertyVerdict, ProposedEdit, Verdict};
@@ -64,7 +64,10 @@ pub fn verdict_html(verdict: &Verdict, with_icon: bool) -> String {
     if !verdict.scenes.is_empty() {
         facts.push(tr!("report-scenes-right", right = right, count = verdict.scenes.len()));
     }
-    facts.push(tr!("report-score", percent = percent(verdict.score)));
+    facts.push(match &verdict.points {
+        Some(points) => points_line(points),
+        None => tr!("report-score", percent = percent(verdict.score)),
+    });
     format!(
         "<section class=\"verdict {}\">\n<h2>{}<span>{}</span></h2>\n<p class=\"summary\">{}</p>\n<p \
          class=\"facts\">{}</p>\n</section>\n",

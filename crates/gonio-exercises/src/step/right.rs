@@ -9,7 +9,6 @@ use crate::exercise::Exercise;
 use crate::preview::SubmittedPair;
 use gonio_check::cause::SceneSamples;
 use gonio_check::cause::quantity_of::{ExpressionQuantity, PlacedCause, RightQuantities};
-use gonio_check::comparison::Task;
 use gonio_check::feedback::Feedback;
 use gonio_check::verdict::CompilerMessage;
 use gonio_glsl::Stage;
@@ -48,7 +47,7 @@ impl RightAnswer {
         if !exercise.shows_reference || exercise.feedback < Feedback::Line {
             return None;
         }
-        let task = Task::find(&exercise.id)?;
+        let task = exercise.task()?;
         Some(Self { quantities: RightQuantities::new(task, submitted.submission(), submitted.names())? })
     }
 

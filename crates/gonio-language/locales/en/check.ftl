@@ -1296,3 +1296,12 @@ check-scene-alone = { $scene }, { $term } alone
 check-term-ambient = ambient
 check-term-diffuse = diffuse
 check-term-specular = specular
+
+## Exercises of a teacher's course
+check-differs-from-the-reference-in = the picture differs from the reference's in: { $scenes }
+check-input-of-the-reference-not-read = the reference reads { $names }; this program reads nothing with that meaning
+check-reference-does-not-compile = the exercise's own reference does not compile on this driver: { $error }
+check-scene-of-course = a scene of this exercise's own
+check-stored-pictures-damaged = the stored pictures of the reference are damaged; package the exercise again
+check-stored-pictures-other-scenes = the stored pictures of the reference are of other test scenes, made by another version of gonio or before the exercise changed; package the exercise again
+check-points = { $earned } of { $most } points

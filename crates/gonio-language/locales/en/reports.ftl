@@ -166,6 +166,7 @@ report-column-points = Points
 report-of-points = of { $most }
 report-column-first-finding = First finding
 report-points-hint = A correct answer has { $most } points, and one that does not compile none; others have the share of { $most } that is right, of the test scenes for shaders.
+report-points-hint-of-course = A correct answer has { $most } points, and one that does not compile none; from others the course takes what their mistakes or their wrong terms cost.
 report-submitted = Submitted
 report-correct-picture = Correct
 report-of-pixels-differ = { $percent } of pixels differ

@@ -1296,3 +1296,12 @@ check-scene-alone = { $scene }, terme { $term } seul
 check-term-ambient = ambiant
 check-term-diffuse = diffus
 check-term-specular = spéculaire
+
+## Les exercices d'un cours
+check-differs-from-the-reference-in = l'image diffère de celle de la référence dans : { $scenes }
+check-input-of-the-reference-not-read = la référence lit { $names } ; ce programme ne lit rien qui ait ce sens
+check-reference-does-not-compile = la référence de l'exercice n'est pas compilée par ce pilote : { $error }
+check-scene-of-course = une scène propre à cet exercice
+check-stored-pictures-damaged = les images enregistrées de la référence sont abîmées ; refaites le paquet de l'exercice
+check-stored-pictures-other-scenes = les images enregistrées de la référence montrent d'autres scènes de test, d'une autre version de gonio ou d'avant une modification de l'exercice ; refaites le paquet de l'exercice
+check-points = { $earned } points sur { $most }

@@ -166,6 +166,7 @@ report-column-points = Points
 report-of-points = sur { $most }
 report-column-first-finding = Premier constat
 report-points-hint = Une réponse juste vaut { $most } points, et une réponse qui ne compile pas n'en vaut aucun ; les autres ont la part de { $most } qui est juste, en scènes de test pour les shaders.
+report-points-hint-of-course = Une réponse juste vaut { $most } points, et une réponse qui ne compile pas n'en vaut aucun ; aux autres, le cours retire ce que coûtent leurs erreurs ou leurs termes faux.
 report-submitted = Rendu
 report-correct-picture = Juste
 report-of-pixels-differ = { $percent } des pixels diffèrent

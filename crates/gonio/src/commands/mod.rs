@@ -6,6 +6,7 @@ pub mod bake;
 pub mod beyond;
 pub mod brdf;
 pub mod convert;
+pub mod course;
 pub mod diff;
 pub mod environment;
 pub mod frame;

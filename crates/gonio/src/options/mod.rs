@@ -2,12 +2,14 @@
 //!
 //! A command flattens these groups into its own options; [`values`] parses single values.
 
+mod course;
 mod environment;
 pub mod limits;
 mod scene;
 mod trace;
 pub mod values;
 
+pub use course::CourseOptions;
 pub use environment::EnvironmentOptions;
 pub use limits::LimitOptions;
 pub use scene::SceneOptions;

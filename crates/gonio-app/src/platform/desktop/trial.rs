@@ -54,6 +54,7 @@ pub fn begin(
     let failed = |why: Error| tr!("window-the-shader-test-could-not-be-2", why = why);
     let mut command = child::command(program).map_err(failed)?;
     command.args(["lab", "trial", &request.exercise, "--language", Language::current().code()]);
+    command.args(worker::course_options());
     run(command, &request.files, done).map_err(failed)
 }
 

@@ -1,6 +1,7 @@
 //! A check in a worker process, for single checks and batches of the command line and for the window.
 //!
-//! The worker reads the files from its standard input and answers on its standard output; it opens and writes no file. Its
+//! The worker reads the files from its standard input and answers on its standard output; it opens no file but those of a course, and
+//! writes none. Its
 //! input stays open while the parent waits. When the parent ends, for any reason, the worker reads the end of its input and
 //! ends too. Both messages are a header (its length as 4 little-endian bytes, then JSON) followed by the bytes whose lengths
 //! the header states.
@@ -10,6 +11,7 @@ use gonio_check::CheckOptions;
 use gonio_check::feedback::Feedback;
 use gonio_check::submission::SourceFile;
 use gonio_check::verdict::Verdict;
+use gonio_exercises::exercise::course_folder;
 use gonio_exercises::report::SubmissionThumbnail;
 use gonio_language::{Language, tr};
 use serde::de::DeserializeOwned;
@@ -101,6 +103,7 @@ pub fn start(program: &Path, request: WorkerRequest, one_core: bool) -> Result<W
         command.env_remove("LP_NUM_THREADS");
     }
     command.args(COMMAND).args(["--language", Language::current().code()]).stdin(Stdio::piped()).stdout(Stdio::piped());
+    command.args(course_options());
     let mut child = command.spawn()?;
     let (Some(mut input), Some(output)) = (child.stdin.take(), child.stdout.take()) else {
         return Err(Error::other(tr!("window-the-process-has-no-input-or")));
@@ -114,6 +117,11 @@ pub fn start(program: &Path, request: WorkerRequest, one_core: bool) -> Result<W
     });
     let reader = std::thread::spawn(move || read_answer(output));
     Ok(Worker { child, writer, reader, exercise })
+}
+
+/// The options with which a process of gonio's own knows the course of this one.
+pub(super) fn course_options() -> Vec<std::ffi::OsString> {
+    course_folder().map_or(Vec::new(), |folder| vec!["--course".into(), folder.into()])
 }
 
 impl Worker {

@@ -30,6 +30,8 @@ pub struct Overview<'a> {
     pub skipped: &'a [String],
     /// Points for a correct answer.
     pub most_points: f64,
+    /// Whether a teacher states what mistakes cost.
+    pub has_scheme: bool,
 }
 
 /// The overview of a batch as one HTML file: the number of each verdict, all submissions by name with a picture, the verdict and
@@ -47,7 +49,7 @@ pub fn overview(batch: &Overview<'_>) -> String {
         escaped_line(batch.title)
     );
     body.push_str(&headline(&rows));
-    body.push_str(&submissions::table(&rows, batch.most_points));
+    body.push_str(&submissions::table(&rows, batch.most_points, batch.has_scheme));
     body.push_str(&groups::mistakes(&rows));
     body.push_str(&not_checked(batch.skipped));
     body.push_str(&groups::similar(batch.similar, &rows));

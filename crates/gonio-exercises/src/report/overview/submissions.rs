@@ -26,7 +26,7 @@ pub fn link(label: &str) -> String {
 
 /// The table of submissions, which are sorted by name. Each cell has a number by which the script sorts its column. Elements have
 /// explicit roles: on narrow pages the cells are laid out differently, and browsers no longer expose a table.
-pub fn table(rows: &[&Row], most_points: f64) -> String {
+pub fn table(rows: &[&Row], most_points: f64, has_scheme: bool) -> String {
     let with_exercise = rows.iter().any(|row| row.exercise != rows[0].exercise);
     let most = points(1.0, most_points);
     let heading = |class: &str, sort: &str, words: &str| {
@@ -86,7 +86,10 @@ pub fn table(rows: &[&Row], most_points: f64) -> String {
     let _ = write!(
         html,
         "</tbody>\n</table>\n<p class=\"hint\">{}</p>\n</section>\n",
-        tr!("report-points-hint", most = most.to_string())
+        match has_scheme {
+            true => tr!("report-points-hint-of-course", most = most.to_string()),
+            false => tr!("report-points-hint", most = most.to_string()),
+        }
     );
     html
 }

@@ -12,12 +12,12 @@ use gonio_app::platform::desktop::worker::{self, WorkerAnswer};
 use gonio_check::submission::{self, SourceFile};
 use gonio_check::verdict::{Outcome as Word, Verdict};
 use gonio_exercises::content_hash;
-use gonio_exercises::exercise::Exercise;
+use gonio_exercises::exercise::{Exercise, course_folder};
 use gonio_exercises::report::{self, Fingerprint, Row, SubmissionThumbnail, page_name};
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, OnceLock};
 use std::time::Instant;
 
 /// Two submissions are similar from this share on.
@@ -107,11 +107,12 @@ fn report(
         rows: &rows,
         similar: &similar,
         skipped: &class.skipped,
-        most_points: args.points,
+        most_points: args.most_points(exercise),
+        has_scheme: exercise.points.is_some(),
     });
     let mut files = OutputFiles::new();
     files.add(&results.join("index.html"), overview.as_bytes())?;
-    files.add(&results.join("table.csv"), report::csv(&rows, args.points).as_bytes())?;
+    files.add(&results.join("table.csv"), report::csv(&rows, args.most_points(exercise)).as_bytes())?;
     let is_stdout_taken = args.junit.as_ref().is_some_and(OutputPath::is_stdout);
     if let Some(output) = &args.junit {
         let verdicts: Vec<(String, Verdict)> = checked.into_iter().map(|one| (one.label, one.verdict)).collect();
@@ -267,9 +268,24 @@ fn content(args: &CheckArgs, exercise: &Exercise, files: &[SourceFile], left_out
     let api = if args.es { "es" } else { "core" };
     let pair = args.pair.as_deref().unwrap_or_default();
     let feedback = args.feedback.unwrap_or(exercise.feedback).word();
-    let options = [exercise.id.as_str(), convention, api, pair, feedback, env!("CARGO_PKG_VERSION"), PAGE_FORMAT];
+    let course = course_key(exercise);
+    let options =
+        [exercise.id.as_str(), convention, api, pair, feedback, course, env!("CARGO_PKG_VERSION"), PAGE_FORMAT];
     let options = options.into_iter().chain(left_out.iter().map(String::as_str)).map(str::as_bytes);
     content_hash(options.chain(files.iter().flat_map(|file| [file.name.as_bytes(), &file.bytes])))
+}
+
+/// What a course states about the exercise of this batch that changes verdicts and points; nothing for a built-in one.
+fn course_key(exercise: &Exercise) -> &'static str {
+    // Stored pictures have millions of digits.
+    static KEY: OnceLock<String> = OnceLock::new();
+    KEY.get_or_init(|| match (course_folder(), &exercise.points) {
+        (None, None) => String::new(),
+        (_, points) => {
+            let bytes = exercise.picture_judge().map(|judge| format!("{judge:?}")).unwrap_or_default();
+            format!("{points:?} {} {:016x}", exercise.like(), content_hash(std::iter::once(bytes.as_bytes())))
+        }
+    })
 }
 
 /// The fingerprint of a submission for comparisons, without the text that the exercise provides.

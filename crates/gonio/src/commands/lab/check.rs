@@ -5,7 +5,7 @@ use super::intake::{self, GatheredFiles, Intake, Submissions};
 use super::{batch, child_process, exercise, watch};
 use crate::backend;
 use crate::error::{CliError, CommandOutcome};
-use crate::options::{GeneralOptions, values};
+use crate::options::{CourseOptions, GeneralOptions, values};
 use crate::output::{OutputFiles, OutputKind, OutputPath, check_folder, check_stdout};
 use crate::report::Reporter;
 
@@ -95,13 +95,18 @@ pub struct CheckArgs {
     /// Write the verdict as JSON for Moodle's CodeRunner.
     #[arg(long, value_name = "FILE.json", help_heading = "Output options")]
     pub code_runner: Option<OutputPath>,
-    /// Points for a correct answer, in Gradescope's file and in the table and overview of many submissions.
-    #[arg(long, value_name = "N", default_value = "100", value_parser = values::not_negative,
-          help_heading = "Output options")]
-    pub points: f64,
+    /// Write the verdict as JSON for GitHub Classroom's autograding reporter.
+    #[arg(long, value_name = "FILE.json", help_heading = "Output options")]
+    pub classroom: Option<OutputPath>,
+    /// Points for a correct answer, in the files for Gradescope and GitHub Classroom and in the table and overview of many
+    /// submissions. By default as the exercise states, else 100.
+    #[arg(long, value_name = "N", value_parser = values::not_negative, help_heading = "Output options")]
+    pub points: Option<f64>,
     /// Check with OpenGL ES 3, as a browser does, instead of OpenGL.
     #[arg(long, hide = true)]
     pub es: bool,
+    #[command(flatten)]
+    pub course: CourseOptions,
     #[command(flatten)]
     pub general: GeneralOptions,
 }
@@ -120,13 +125,14 @@ impl CheckArgs {
             ("--sheet", self.sheet.is_some()),
             ("--gradescope", self.gradescope.is_some()),
             ("--code-runner", self.code_runner.is_some()),
+            ("--classroom", self.classroom.is_some()),
         ];
         options.into_iter().filter(|(_, is_used)| *is_used).map(|(option, _)| option)
     }
 
     /// The files that the command writes, none of which is an answer.
     fn output_files(&self) -> impl Iterator<Item = PathBuf> {
-        let outputs = [&self.page, &self.sheet, &self.junit, &self.gradescope, &self.code_runner];
+        let outputs = [&self.page, &self.sheet, &self.junit, &self.gradescope, &self.code_runner, &self.classroom];
         outputs.into_iter().flatten().filter_map(OutputPath::file).map(Path::to_owned)
     }
 
@@ -142,6 +148,12 @@ impl CheckArgs {
             page: None,
             sheet: false,
         }
+    }
+
+    /// The points of a correct answer.
+    pub fn most_points(&self, exercise: &Exercise) -> f64 {
+        let stated = exercise.points.as_ref().map(|scheme| scheme.total);
+        self.points.or(stated).unwrap_or(100.0)
     }
 
     /// The time limit of a check.
@@ -162,7 +174,7 @@ pub fn run(args: &CheckArgs, reporter: &Reporter) -> Result<CommandOutcome, CliE
             exercise.id
         )));
     }
-    let texts = [&args.page, &args.junit, &args.gradescope, &args.code_runner].into_iter().flatten();
+    let texts = [&args.page, &args.junit, &args.gradescope, &args.code_runner, &args.classroom].into_iter().flatten();
     let texts = texts.map(|output| (output, OutputKind::Text));
     let is_stdout_taken = check_stdout(texts.chain(args.sheet.iter().map(|o| (o, OutputKind::Binary))), reporter)?;
     args.format.check(args.general.json, is_stdout_taken)?;
@@ -225,13 +237,14 @@ fn check_one(
         // Ctrl-C ended the worker too, which is no crash.
         return Ok(CommandOutcome::Done);
     }
-    write(args, &label, &answer)?;
+    write(args, exercise, &label, &answer)?;
     format::print(args.format, &args.files, &answer.verdict, is_stdout_taken, reporter)?;
     Ok(if answer.verdict.verdict == Word::Correct { CommandOutcome::Done } else { CommandOutcome::CheckFailed })
 }
 
 fn write(
     args: &CheckArgs,
+    exercise: &Exercise,
     label: &str,
     WorkerAnswer { verdict, page, sheet, .. }: &WorkerAnswer,
 ) -> Result<(), CliError> {
@@ -249,7 +262,10 @@ fn write(
         files.add_output(output, report::junit(&[(label.to_owned(), verdict.clone())]).into_bytes())?;
     }
     if let Some(output) = &args.gradescope {
-        files.add_output(output, report::gradescope(verdict, args.points).into_bytes())?;
+        files.add_output(output, report::gradescope(verdict, args.most_points(exercise)).into_bytes())?;
+    }
+    if let Some(output) = &args.classroom {
+        files.add_output(output, report::classroom(verdict, args.most_points(exercise)).into_bytes())?;
     }
     if let Some(output) = &args.code_runner {
         files.add_output(output, report::code_runner(verdict).into_bytes())?;

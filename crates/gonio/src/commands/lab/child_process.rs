@@ -6,7 +6,7 @@
 
 use super::exercise;
 use crate::error::{CliError, CommandOutcome};
-use crate::options::GeneralOptions;
+use crate::options::{CourseOptions, GeneralOptions};
 use crate::report::{Reporter, output_for_gonio};
 use clap::Args;
 use gonio_app::platform::desktop::child;
@@ -136,12 +136,23 @@ const MOST_SECONDS: f64 = 8.0;
 /// The number of times that a slow picture is drawn again: the machine may have been busy.
 const REPEATS: usize = 2;
 
+/// Run one check that comes from standard input.
+#[derive(Args, Debug)]
+pub struct CheckWorkerArgs {
+    #[command(flatten)]
+    pub course: CourseOptions,
+    #[command(flatten)]
+    pub general: GeneralOptions,
+}
+
 /// Compile and draw the pair of shaders that comes from standard input, for the window.
 #[derive(Args, Debug)]
 pub struct TrialArgs {
     /// Exercise: ex04, or 4.
     #[arg(value_name = "EX")]
     pub exercise: String,
+    #[command(flatten)]
+    pub course: CourseOptions,
     #[command(flatten)]
     pub general: GeneralOptions,
 }

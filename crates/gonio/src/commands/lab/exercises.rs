@@ -2,7 +2,7 @@
 
 use super::{draw, exercise};
 use crate::error::{CliError, CommandOutcome};
-use crate::options::GeneralOptions;
+use crate::options::{CourseOptions, GeneralOptions};
 use crate::output::{OutputFiles, OutputPath, check_folder};
 use crate::report::Reporter;
 use crate::terminal::{Style, TerminalPage};
@@ -17,6 +17,8 @@ use std::path::{Path, PathBuf};
 #[derive(Args, Debug)]
 pub struct ListArgs {
     #[command(flatten)]
+    pub course: CourseOptions,
+    #[command(flatten)]
     pub general: GeneralOptions,
 }
 
@@ -26,6 +28,8 @@ pub struct ShowArgs {
     /// Exercise: ex04, or 4.
     #[arg(value_name = "EX")]
     pub exercise: String,
+    #[command(flatten)]
+    pub course: CourseOptions,
     #[command(flatten)]
     pub general: GeneralOptions,
 }
@@ -40,12 +44,14 @@ pub struct StartArgs {
     #[arg(value_name = "FOLDER")]
     pub folder: PathBuf,
     #[command(flatten)]
+    pub course: CourseOptions,
+    #[command(flatten)]
     pub general: GeneralOptions,
 }
 
 /// Print the reference solution, or write it into a folder.
 ///
-/// Courses can hide it: `show_reference = false` in the exercise.toml of an exercise, before gonio is built.
+/// Courses can hide it: `show_reference = false` in the course.toml of a course or the exercise.toml of an exercise.
 #[derive(Args, Debug)]
 pub struct ReferenceArgs {
     /// Exercise: ex04, or 4.
@@ -54,6 +60,8 @@ pub struct ReferenceArgs {
     /// Folder to write its files to; - prints them, as by default.
     #[arg(long, short, value_name = "FOLDER", help_heading = "Output options")]
     pub output: Option<OutputPath>,
+    #[command(flatten)]
+    pub course: CourseOptions,
     #[command(flatten)]
     pub general: GeneralOptions,
 }
@@ -66,6 +74,8 @@ struct Listed<'a> {
     summary: &'a str,
     kind: exercises::ExerciseKind,
     builds_on: &'a [String],
+    #[serde(skip_serializing_if = "Option::is_none")]
+    points: Option<f64>,
 }
 
 pub fn list(_: &ListArgs, reporter: &Reporter) -> Result<CommandOutcome, CliError> {
@@ -80,6 +90,7 @@ pub fn list(_: &ListArgs, reporter: &Reporter) -> Result<CommandOutcome, CliErro
                 summary: e.summary(),
                 kind: e.kind,
                 builds_on: &e.builds_on,
+                points: e.points.as_ref().map(|scheme| scheme.total),
             })
             .collect();
         reporter.report(&listed)?;
@@ -92,7 +103,10 @@ pub fn list(_: &ListArgs, reporter: &Reporter) -> Result<CommandOutcome, CliErro
         page.line(format_args!("{bold}{:<5}{bold:#} {:<width$}  {dim}{}{dim:#}", e.id, e.title(), e.summary()));
     }
     page.blank();
-    page.line("`gonio lab show ex04` prints its text, `gonio lab start ex04 mine` begins it in the folder `mine`.");
+    let example = all.iter().find(|e| e.id == "ex04").or(all.first()).map_or("ex04", |e| e.id.as_str());
+    page.line(format_args!(
+        "`gonio lab show {example}` prints its text, `gonio lab start {example} mine` begins it in the folder `mine`."
+    ));
     reporter.text(&page)?;
     Ok(CommandOutcome::Done)
 }

@@ -14,8 +14,9 @@ pub mod step;
 mod text;
 mod watch;
 
+use crate::commands::course::folder;
 use crate::error::{CliError, CommandOutcome};
-use crate::options::GeneralOptions;
+use crate::options::{CourseOptions, GeneralOptions};
 use crate::report::Reporter;
 use clap::Subcommand;
 use gonio_exercises::exercise::{self, Exercise};
@@ -48,9 +49,8 @@ pub enum LabCommand {
     Step(step::StepArgs),
     Mistakes(mistakes::MistakesArgs),
     Score(score::ScoreArgs),
-    /// Run one check that comes from standard input.
     #[command(hide = true)]
-    CheckWorker(GeneralOptions),
+    CheckWorker(child_process::CheckWorkerArgs),
     #[command(hide = true)]
     Trial(child_process::TrialArgs),
 }
@@ -69,13 +69,34 @@ impl LabCommand {
             LabCommand::Step(args) => &args.general,
             LabCommand::Mistakes(args) => &args.general,
             LabCommand::Score(args) => &args.general,
-            LabCommand::CheckWorker(general) => general,
+            LabCommand::CheckWorker(args) => &args.general,
             LabCommand::Trial(args) => &args.general,
         }
+    }
+
+    /// The course whose exercises the command knows; `None` for those without exercises.
+    fn course(&self) -> Option<&CourseOptions> {
+        Some(match self {
+            LabCommand::List(args) => &args.course,
+            LabCommand::Show(args) => &args.course,
+            LabCommand::Start(args) => &args.course,
+            LabCommand::Open(args) => &args.course,
+            LabCommand::Reference(args) => &args.course,
+            LabCommand::Check(args) => &args.course,
+            LabCommand::Draw(args) => &args.course,
+            LabCommand::Step(args) => &args.course,
+            // Processes of gonio's own: the one that starts them found the course.
+            LabCommand::CheckWorker(args) => args.course.course.is_some().then_some(&args.course)?,
+            LabCommand::Trial(args) => args.course.course.is_some().then_some(&args.course)?,
+            LabCommand::Mistakes(_) | LabCommand::Score(_) => return None,
+        })
     }
 }
 
 pub fn run(command: &LabCommand, reporter: &Reporter) -> Result<CommandOutcome, CliError> {
+    if let Some(options) = command.course() {
+        folder::install(options, reporter)?;
+    }
     match command {
         LabCommand::List(args) => exercises::list(args, reporter),
         LabCommand::Show(args) => exercises::show(args, reporter),

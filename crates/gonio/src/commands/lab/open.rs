@@ -2,7 +2,7 @@
 
 use super::{exercise, intake};
 use crate::error::{CliError, CommandOutcome};
-use crate::options::{GeneralOptions, values};
+use crate::options::{CourseOptions, GeneralOptions, values};
 use crate::report::Reporter;
 use clap::Args;
 use gonio_app::exercise::Start;
@@ -36,6 +36,8 @@ pub struct OpenArgs {
     /// Write the window's state to this file after every frame, as JSON (for tests).
     #[arg(long, value_name = "FILE", hide = true)]
     pub state: Option<PathBuf>,
+    #[command(flatten)]
+    pub course: CourseOptions,
     #[command(flatten)]
     pub general: GeneralOptions,
 }

@@ -6,7 +6,7 @@ use super::{child_process, exercise, intake};
 use crate::backend;
 use crate::commands::lab::draw::shaders::{compile_error, note_text, on_a_large_stack, scene};
 use crate::error::{CliError, CommandOutcome};
-use crate::options::{GeneralOptions, values};
+use crate::options::{CourseOptions, GeneralOptions, values};
 use crate::report::Reporter;
 use clap::Args;
 use gonio_check::submission::SourceFile;
@@ -72,6 +72,8 @@ pub struct StepArgs {
     /// Run in this process, which the caller guards.
     #[arg(long, hide = true)]
     pub in_this_process: bool,
+    #[command(flatten)]
+    pub course: CourseOptions,
     #[command(flatten)]
     pub general: GeneralOptions,
 }

@@ -4,7 +4,7 @@ use crate::terminal::{Style, TerminalPage};
 use gonio_check::proposed_fix::{self, DiffLine};
 use gonio_check::testbench::scene::{term_title, title};
 use gonio_check::verdict::{FoundMistake, Outcome, PropertyState, ProposedEdit, TermState, Verdict};
-use gonio_exercises::report::{Row, SimilarGroup};
+use gonio_exercises::report::{Row, SimilarGroup, points_line};
 use gonio_language::tr;
 
 const BOLD: Style = Style::Bold;
@@ -23,6 +23,9 @@ pub fn verdict(verdict: &Verdict) -> TerminalPage {
     };
     let mut page = TerminalPage::new();
     page.line(format_args!("{BOLD}{}{BOLD:#}  {style}{word}{style:#}: {}", verdict.exercise, verdict.summary));
+    if let Some(points) = &verdict.points {
+        page.line(format_args!("  {}", points_line(points)));
+    }
     for message in &verdict.messages {
         let place = match (message.line, message.column) {
             (Some(line), Some(column)) => format!("{}:{line}:{column}", message.file),

@@ -20,8 +20,9 @@ mod sources;
 mod uri;
 
 use super::lab::child_process;
+use crate::commands::course::folder;
 use crate::error::{CliError, CommandOutcome};
-use crate::options::{GeneralOptions, values};
+use crate::options::{CourseOptions, GeneralOptions, values};
 use crate::report::Reporter;
 use clap::Args;
 use gonio_check::feedback::Feedback;
@@ -58,6 +59,8 @@ pub struct LspArgs {
     #[arg(long, value_name = "SECONDS", default_value_t = 30, value_parser = clap::value_parser!(u64).range(1..=86_400),
           help_heading = "Check options")]
     pub patience: u64,
+    #[command(flatten)]
+    pub course: CourseOptions,
     /// Speak on stdin and stdout, which it does anyway; some editors add it.
     #[arg(long, hide = true)]
     pub stdio: bool,
@@ -79,6 +82,10 @@ struct LspOptions {
 const STACK_BYTES: usize = 64 << 20;
 
 pub fn run(args: &LspArgs, reporter: &Reporter) -> Result<CommandOutcome, CliError> {
+    // An editor needs the messages of compilers also while a teacher edits the course.
+    if let Err(error) = folder::install(&args.course, reporter) {
+        reporter.warning(error.to_string());
+    }
     let options = LspOptions {
         exercise: args.exercise.as_deref().map(super::lab::exercise).transpose()?,
         feedback: args.feedback,

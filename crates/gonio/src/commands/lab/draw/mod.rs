@@ -9,7 +9,7 @@ use crate::capture::{self, CaptureRecorder};
 use crate::commands::frame::{self, Shown};
 use crate::error::{CliError, CommandOutcome};
 use crate::loading;
-use crate::options::{GeneralOptions, SceneOptions, values};
+use crate::options::{CourseOptions, GeneralOptions, SceneOptions, values};
 use crate::output::{OutputKind, OutputPath, check_stdout, color_tag};
 use crate::report::Reporter;
 use crate::terminal::TerminalPage;
@@ -97,6 +97,8 @@ pub struct DrawArgs {
     /// Draw in this process, which the caller guards.
     #[arg(long, hide = true)]
     pub in_this_process: bool,
+    #[command(flatten)]
+    pub course: CourseOptions,
     #[command(flatten)]
     pub general: GeneralOptions,
 }
