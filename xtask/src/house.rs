@@ -10,7 +10,7 @@ use std::process::Command;
 /// Limit on the number of `unsafe` blocks in the workspace, tests included.
 pub const MOST_UNSAFE_BLOCKS: usize = 60;
 /// Limit on the number of files that contain them.
-pub const MOST_UNSAFE_FILES: usize = 6;
+pub const MOST_UNSAFE_FILES: usize = 7;
 /// Limit on the number of import cycles of more than [`cycles::MOST_FILES`] files.
 pub const MOST_CYCLES: usize = 0;
 /// Limit on the number of files that git tracks. Path tracing and its pictures are two crates of 50 files;

@@ -13,8 +13,8 @@ use std::process::ExitCode;
 /// The text that `gonio licenses` prints.
 const NOTICES: &str = "crates/gonio/THIRD-PARTY.txt";
 
-/// The crates of the shipped programs: the command line, and the page that it can contain.
-const SHIPPED: [&str; 2] = ["gonio", "gonio-web"];
+/// The crates of what is shipped: the command line, the page that it can contain, and the Python package.
+const SHIPPED: [&str; 3] = ["gonio", "gonio-web", "gonio-python"];
 
 const IN_GONIO: &str = "Crates in gonio";
 const BESIDES: &str = "Crates that only build or test gonio";

@@ -91,6 +91,8 @@ pub const RULES: &[Rule] = &[
         tests_may_know: &[],
     },
     Rule { krate: "gonio", may_know: COMMAND_LINE, tests_may_know: &[] },
+    // The Python package, a shell like the command line, without the window.
+    Rule { krate: "gonio-python", may_know: PYTHON, tests_may_know: &[] },
     // It measures the window too, as the command line opens it.
     Rule { krate: "gonio-bench", may_know: COMMAND_LINE, tests_may_know: &[] },
     Rule { krate: "gonio-web-bindgen", may_know: &[], tests_may_know: &[] },
@@ -201,6 +203,21 @@ const COMMAND_LINE: &[&str] = &[
     "gonio-app",
 ];
 
+/// Scenes, both renderers, the path tracer, BRDFs and checks.
+const PYTHON: &[&str] = &[
+    "gonio-light",
+    "gonio-mesh",
+    "gonio-image",
+    "gonio-bsdf",
+    "gonio-scene",
+    "gonio-reference",
+    "gonio-trace",
+    "gonio-gl",
+    "gonio-render",
+    "gonio-check",
+    "gonio-exercises",
+];
+
 /// Crates that the tests of every crate may depend on.
 const FOR_ALL_TESTS: &[&str] = &["gonio-fixtures"];
 
@@ -212,6 +229,7 @@ pub const GUARDED: &[(&str, &[&str])] = &[
     ("renderdoc", &["gonio-gl"]),
     ("clap", &["gonio"]),
     ("indicatif", &["gonio"]),
+    ("pyo3", &["gonio-python"]),
 ];
 
 /// One dependency, as a manifest declares it.

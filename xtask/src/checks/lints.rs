@@ -12,6 +12,7 @@ pub const UNSAFE_CODE: &[&str] = &[
     "crates/gonio-gl/src/headless/cgl.rs",
     "crates/gonio-gl/src/headless/egl.rs",
     "crates/gonio-gl/src/headless/wgl.rs",
+    "crates/gonio-python/src/array.rs",
     "crates/gonio-scene/src/files/disk.rs",
 ];
 
@@ -39,6 +40,7 @@ pub const CONFIGURATIONS: &[&str] = &[
     "crates/gonio/clippy.toml",
     "crates/gonio-app/clippy.toml",
     "crates/gonio-fixtures/clippy.toml",
+    "crates/gonio-python/clippy.toml",
 ];
 
 /// Finds lints that are allowed outside their declared files, and configurations of clippy in other places.

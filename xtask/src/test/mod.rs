@@ -2,6 +2,7 @@
 
 mod cargo_output;
 mod publish;
+pub mod python;
 mod windows;
 
 use crate::checks::{dependencies, lints, source, text, translations, workflows};
@@ -15,8 +16,8 @@ use std::process::ExitCode;
 /// The extent of a test run.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Extent {
-    /// Also what takes too long for CI: other platforms, Windows under Wine, the archive that users get, the crates to publish, and the
-    /// dependencies against `deny.toml`.
+    /// Also what takes too long for CI: other platforms, Windows under Wine, the Python package, the archive that users get, the crates
+    /// to publish, and the dependencies against `deny.toml`.
     All,
     /// Everything that CI runs.
     Continuous,
@@ -39,12 +40,18 @@ pub enum Extra {
     Archive,
     /// The crates to publish.
     Crates,
+    /// The Python package.
+    Python,
 }
 
 impl Extra {
     /// Each with its word on the command line.
-    const ALL: [(&str, Extra); 3] =
-        [("windows", Extra::Windows), ("archive", Extra::Archive), ("crates", Extra::Crates)];
+    const ALL: [(&str, Extra); 4] = [
+        ("windows", Extra::Windows),
+        ("archive", Extra::Archive),
+        ("crates", Extra::Crates),
+        ("python", Extra::Python),
+    ];
 
     /// The step of a word.
     pub fn named(word: &str) -> Option<Extra> {
@@ -57,6 +64,7 @@ impl Extra {
             // With the page that is in `dist`.
             Extra::Archive => report.step("release archive", || trial::step(root)),
             Extra::Crates => report.step("crates to publish", || publish::step(root)),
+            Extra::Python => report.step("Python package", || python::step(root)),
         };
     }
 }
@@ -136,6 +144,7 @@ fn cargo_steps(report: &mut Report, root: &Path, extent: Extent) -> bool {
             report.step(target, || check_desktop(root, target));
         }
         Extra::Windows.run(report, root);
+        Extra::Python.run(report, root);
         Extra::Crates.run(report, root);
     }
     if let Some(page_build) = page_build {

@@ -55,6 +55,15 @@ pub struct BsdfFit {
     pub at_limit: Vec<String>,
 }
 
+/// The models that are fitted to a target where nobody names others: those of its kind that measured materials follow best.
+pub fn default_models(target: &FitTarget) -> &'static [&'static str] {
+    if target.is_isotropic() {
+        &["blinn-normalised", "ward", "beckmann", "ggx"]
+    } else {
+        &["ward-anisotropic", "ashikhmin-shirley", "disney"]
+    }
+}
+
 /// The absolute difference of two functions, times a factor: the residual of a fit as a function, to be plotted like one.
 pub struct FitResidual<'a> {
     /// The measured table, or another function.

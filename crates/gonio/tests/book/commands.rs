@@ -8,6 +8,7 @@
 //! | `sh,shell` | no commands of gonio |
 //! | `text,output` | an extract of what the block of commands before it prints: these lines in this order; `...` leaves some out |
 //! | `LANGUAGE,file=PATH` | a file that the reader writes |
+//! | `python` | run by the tests of the Python package, `python/tests/test_documentation.py` |
 //!
 //! In blocks without a language (the exercises' texts have such) lines that begin with `gonio` are parsed.
 
@@ -64,7 +65,7 @@ impl Walk<'_> {
             }
             ("text", ("output", "")) => self.compare(&block.lines),
             ("", _) => block.lines.iter().filter(of_gonio).for_each(|line| self.parse(line)),
-            ("text" | "glsl" | "toml" | "yaml", ("", "")) => {}
+            ("text" | "glsl" | "toml" | "yaml" | "python", ("", "")) => {}
             _ => self.failures.push(format!("unknown kind of block: {}", block.info)),
         }
     }

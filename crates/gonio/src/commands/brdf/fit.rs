@@ -8,6 +8,7 @@ use crate::output::{OutputFiles, OutputKind, OutputPath, check_stdout};
 use crate::report::Reporter;
 use crate::terminal::TerminalPage;
 use clap::Args;
+use gonio_bsdf::fit::default_models;
 use gonio_bsdf::models::model;
 use gonio_bsdf::{BsdfFit, BsdfSource, FitError, FitTarget, ModelSpec, ModelSpecError, NamedBsdf, fit, fit_file};
 use gonio_plot::{PlotTheme, PlottedBsdf, residuals};
@@ -120,15 +121,6 @@ fn specs(names: &[String]) -> Result<Vec<ModelSpec>, CliError> {
         None => Err(CliError::new(ModelSpecError::UnknownModel { name: name.clone() }.to_string())),
     };
     names.iter().map(one).collect()
-}
-
-/// The models that are fitted where none is named.
-fn default_models(target: &FitTarget) -> &'static [&'static str] {
-    if target.is_isotropic() {
-        &["blinn-normalised", "ward", "beckmann", "ggx"]
-    } else {
-        &["ward-anisotropic", "ashikhmin-shirley", "disney"]
-    }
 }
 
 /// Draws the target, the fit and their difference.
