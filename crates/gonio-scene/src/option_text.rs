@@ -3,7 +3,7 @@
 use crate::part_material::PartMaterial;
 use crate::scene_file::{LightSpec, MaterialOverride};
 use crate::toml_file;
-use crate::toml_table::{Entry, Fault, Item, TableReader, Value, nearest_word, unknown_key};
+use crate::toml_table::{Entry, Fault, TableReader, TomlItem, Value, nearest_word, unknown_key};
 use crate::validate;
 use gonio_light::optics::Medium;
 use std::ops::Range;
@@ -116,7 +116,7 @@ fn read_light(text: &str) -> Result<LightSpec, Fault> {
         let span = first.key_span.clone();
         light.push(entry("motion", &span, Value::Table(motion), &span));
     }
-    let item = Item { value: Value::Table(light), span: whole };
+    let item = TomlItem { value: Value::Table(light), span: whole };
     let spec = toml_file::read_light(TableReader::new("a light", &item)?)?;
     validate::check_light("", &spec).map_err(|p| Fault::at(&item.locate(p.path.trim_start_matches('.')), p.message))?;
     Ok(spec)
@@ -137,7 +137,7 @@ fn read_material(text: &str) -> Result<MaterialOverride, Fault> {
     }) {
         return Err(Fault::at(&twice.key_span, format!("`{}` is given twice", twice.key)));
     }
-    let item = Item { value: Value::Table(entries), span: 0..text.len() };
+    let item = TomlItem { value: Value::Table(entries), span: 0..text.len() };
     let spec = toml_file::read_material(TableReader::new("a material", &item)?)?;
     validate::check_material("", &spec)
         .map_err(|p| Fault::at(&item.locate(p.path.trim_start_matches('.')), p.message))?;
@@ -161,7 +161,7 @@ fn preset(span: &Range<usize>, word: &str) -> Result<Entry, Fault> {
 }
 
 fn entry(key: &str, key_span: &Range<usize>, value: Value, span: &Range<usize>) -> Entry {
-    Entry { key: key.into(), key_span: key_span.clone(), item: Item { value, span: span.clone() } }
+    Entry { key: key.into(), key_span: key_span.clone(), item: TomlItem { value, span: span.clone() } }
 }
 
 /// The words with their places.
@@ -214,14 +214,14 @@ fn pairs(words: &[(Range<usize>, &str)]) -> Result<Vec<Entry>, Fault> {
                 return Err(Fault::at(&key_span, format!("`{key}` has no value: expected key=value")));
             }
             let value = value_of(&key, text, &span);
-            Ok(Entry { key, key_span, item: Item { value, span } })
+            Ok(Entry { key, key_span, item: TomlItem { value, span } })
         })
         .collect()
 }
 
 /// `1` a number, `1,2,3` a list, `1,2,3;4,5,6` a list of lists, `true` and `false`, else text.
 fn value_of(key: &str, text: &str, span: &Range<usize>) -> Value {
-    let item = |value: Value| Item { value, span: span.clone() };
+    let item = |value: Value| TomlItem { value, span: span.clone() };
     if ["points", "spectrum", "diffuse_spectrum"].contains(&key) {
         let points = text.split(';').map(str::trim).filter(|t| !t.is_empty());
         return Value::List(points.map(|t| item(value_of("", t, span))).collect());

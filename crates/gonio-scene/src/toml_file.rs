@@ -4,7 +4,7 @@ use crate::scene_file::{
     BackgroundSpec, CameraSpec, EnvironmentSpec, EquationSpec, LightSourceKind, LightSpec, MaterialOverride,
     MotionKind, MotionSpec, ObjectSpec, PictureSpec, SceneFile,
 };
-use crate::toml_table::{Fault, Item, TableReader, parse_toml};
+use crate::toml_table::{Fault, TableReader, TomlItem, parse_toml};
 use crate::validate;
 use gonio_mesh::ReadError;
 use schemars::generate::SchemaSettings;
@@ -22,7 +22,7 @@ fn read_document(text: &str) -> Result<SceneFile, Fault> {
     Ok(scene)
 }
 
-fn read_scene(root: &Item) -> Result<SceneFile, Fault> {
+fn read_scene(root: &TomlItem) -> Result<SceneFile, Fault> {
     let mut t = TableReader::new("a scene", root)?;
     let picture = t.table("picture", "[picture]")?;
     let camera = t.table("camera", "[camera]")?;

@@ -12,7 +12,7 @@ use toml::de::{DeTable, DeValue};
 
 /// A value and its place, bytes of the text.
 #[derive(Clone, Debug)]
-pub struct Item {
+pub struct TomlItem {
     /// The value.
     pub value: Value,
     /// Its place.
@@ -29,7 +29,7 @@ pub enum Value {
     /// `true` or `false`.
     Truth(bool),
     /// A list.
-    List(Vec<Item>),
+    List(Vec<TomlItem>),
     /// A table, in the order of the text.
     Table(Vec<Entry>),
     /// A date or a time.
@@ -44,7 +44,7 @@ pub struct Entry {
     /// Its place.
     pub key_span: Range<usize>,
     /// Its value.
-    pub item: Item,
+    pub item: TomlItem,
 }
 
 /// An error at some bytes of the text.
@@ -89,7 +89,7 @@ impl Value {
     }
 }
 
-impl Item {
+impl TomlItem {
     /// The place of the value at `path` (`light[0].motion.period`), or of what comes nearest to it
     /// on the way there.
     pub fn locate(&self, path: &str) -> Range<usize> {
@@ -113,12 +113,12 @@ impl Item {
 ///
 /// # Errors
 /// The text is not TOML.
-pub fn parse_toml(text: &str) -> Result<Item, Fault> {
+pub fn parse_toml(text: &str) -> Result<TomlItem, Fault> {
     let table = DeTable::parse(text).map_err(|e| {
         let message = e.message().trim_end_matches('.').replace('\n', ", ");
         Fault { message: format!("this is not TOML: {message}"), span: e.span() }
     })?;
-    Ok(Item { span: 0..0, value: table_of(table.get_ref()) })
+    Ok(TomlItem { span: 0..0, value: table_of(table.get_ref()) })
 }
 
 fn table_of(table: &DeTable<'_>) -> Value {
@@ -127,7 +127,7 @@ fn table_of(table: &DeTable<'_>) -> Value {
         .map(|(key, value)| Entry {
             key: key.get_ref().to_string(),
             key_span: key.span(),
-            item: Item { span: value.span(), value: value_of(value.get_ref()) },
+            item: TomlItem { span: value.span(), value: value_of(value.get_ref()) },
         })
         .collect();
     entries.sort_by_key(|e| e.key_span.start);
@@ -144,9 +144,9 @@ fn value_of(value: &DeValue<'_>) -> Value {
         DeValue::Float(number) => Value::Number(number.as_str().parse().unwrap_or(f64::NAN)),
         DeValue::Boolean(truth) => Value::Truth(*truth),
         DeValue::Datetime(_) => Value::Date,
-        DeValue::Array(items) => {
-            Value::List(items.iter().map(|item| Item { span: item.span(), value: value_of(item.get_ref()) }).collect())
-        }
+        DeValue::Array(items) => Value::List(
+            items.iter().map(|item| TomlItem { span: item.span(), value: value_of(item.get_ref()) }).collect(),
+        ),
         DeValue::Table(table) => table_of(table),
     }
 }
@@ -171,7 +171,7 @@ pub struct TableReader<'a> {
 
 impl<'a> TableReader<'a> {
     /// Reads `item`, which must be a table.
-    pub fn new(heading: impl Into<String>, item: &'a Item) -> Result<Self, Fault> {
+    pub fn new(heading: impl Into<String>, item: &'a TomlItem) -> Result<Self, Fault> {
         let heading = heading.into();
         match &item.value {
             Value::Table(entries) => {
@@ -182,12 +182,12 @@ impl<'a> TableReader<'a> {
     }
 
     /// The value of `key`, of any type.
-    fn get(&mut self, key: &'static str) -> Option<&'a Item> {
+    fn get(&mut self, key: &'static str) -> Option<&'a TomlItem> {
         self.known_keys.push(key);
         self.entries.iter().find(|e| e.key == key).map(|e| &e.item)
     }
 
-    fn expected(key: &str, what: &str, item: &Item) -> Fault {
+    fn expected(key: &str, what: &str, item: &TomlItem) -> Fault {
         Fault::at(&item.span, format!("`{key}`: expected {what}, found {}", item.value.describe()))
     }
 
@@ -249,7 +249,7 @@ impl<'a> TableReader<'a> {
     pub fn texts(&mut self, key: &'static str) -> Result<Option<Vec<String>>, Fault> {
         let Some(item) = self.get(key) else { return Ok(None) };
         let Value::List(items) = &item.value else { return Err(Self::expected(key, "a list of strings", item)) };
-        let text = |item: &Item| match &item.value {
+        let text = |item: &TomlItem| match &item.value {
             Value::Text(text) => Ok(text.clone()),
             _ => Err(Self::expected(key, "strings in the list", item)),
         };
@@ -381,13 +381,13 @@ pub(crate) fn unknown_word(key: &str, unknown: &UnknownName) -> String {
     format!("`{key}`: {unknown}{meant}")
 }
 
-fn vector_of(key: &str, item: &Item) -> Result<[f64; 3], Fault> {
+fn vector_of(key: &str, item: &TomlItem) -> Result<[f64; 3], Fault> {
     numbers_of(key, "three numbers [x, y, z]", item)
 }
 
 /// A list of `N` numbers, which `what` describes.
-fn numbers_of<const N: usize>(key: &str, what: &str, item: &Item) -> Result<[f64; N], Fault> {
-    let expected = |at: &Item, got: String| Fault::at(&at.span, format!("`{key}`: expected {what}, found {got}"));
+fn numbers_of<const N: usize>(key: &str, what: &str, item: &TomlItem) -> Result<[f64; N], Fault> {
+    let expected = |at: &TomlItem, got: String| Fault::at(&at.span, format!("`{key}`: expected {what}, found {got}"));
     let Value::List(items) = &item.value else { return Err(expected(item, item.value.describe())) };
     let mut numbers = [0.0; N];
     for (i, item) in items.iter().enumerate() {

@@ -23,7 +23,7 @@ const MOST_MISTAKES: usize = 200;
 
 /// A change of a reference.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Change {
+pub struct ReferenceChange {
     /// The index in [`REFERENCE_FILES`].
     pub file: usize,
     /// The text to replace, which occurs once.
@@ -42,7 +42,7 @@ pub struct MistakeDefinition {
     /// Its texts by language; at least one.
     pub texts: Vec<(Language, OwnMistakeTexts)>,
     /// The changes that make it; none where the reference is only there as pictures.
-    pub change: Vec<Change>,
+    pub change: Vec<ReferenceChange>,
     /// The wrong expressions, by which its line is found.
     pub written: Vec<WrittenMark>,
 }
@@ -129,7 +129,7 @@ fn read_mistake(
 }
 
 /// The mark of a change: the text that it writes, or the whole lines if the reference has that text elsewhere too.
-fn mark_of(change: &Change, reference: Option<&[String; 2]>) -> Option<WrittenMark> {
+fn mark_of(change: &ReferenceChange, reference: Option<&[String; 2]>) -> Option<WrittenMark> {
     let own = WrittenMark::new(&change.write)?;
     let Some(reference) = reference else { return Some(own) };
     let is_elsewhere = |text: &String| text.lines().any(|line| own.is_in(line));
@@ -162,7 +162,7 @@ fn read_texts(t: &mut TableReader<'_>) -> Result<OwnMistakeTexts, Fault> {
     Ok(OwnMistakeTexts { name: text("name")?, looks_like: text("looks_like")?, fix: text("fix")? })
 }
 
-fn read_change(t: &mut TableReader<'_>, reference: Option<&[String; 2]>) -> Result<Change, Fault> {
+fn read_change(t: &mut TableReader<'_>, reference: Option<&[String; 2]>) -> Result<ReferenceChange, Fault> {
     let file = t.choice("file", &REFERENCE_FILES)?;
     let file = file.ok_or_else(|| Fault::at(&t.span, "a change has no `file`: reference.vert or reference.frag"))?;
     let find = t.text("find")?.filter(|find| !find.is_empty());
@@ -172,7 +172,7 @@ fn read_change(t: &mut TableReader<'_>, reference: Option<&[String; 2]>) -> Resu
     t.finish()?;
     let text = reference.map(|reference| &reference[file]);
     match text.map(|text| text.matches(find.as_str()).count()) {
-        None | Some(1) => Ok(Change { file, find, write }),
+        None | Some(1) => Ok(ReferenceChange { file, find, write }),
         Some(count) => {
             let message =
                 format!("`find`: `{find}` occurs {count} times in {}; it has to occur once", REFERENCE_FILES[file]);

@@ -18,14 +18,14 @@ mod points_table;
 mod scene_table;
 mod text_tables;
 
-pub use mistake_file::{Change, MistakeDefinition};
+pub use mistake_file::{MistakeDefinition, ReferenceChange};
 
 use gonio_check::feedback::Feedback;
 use gonio_exercises::exercise::{self, Exercise};
 use gonio_exercises::points::PointScheme;
 use gonio_language::Language;
 use gonio_mesh::ReadError;
-use gonio_scene::toml_table::{Fault, Item, TableReader, nearest_word, parse_toml};
+use gonio_scene::toml_table::{Fault, TableReader, TomlItem, nearest_word, parse_toml};
 use points_table::read_points;
 use std::collections::BTreeSet;
 
@@ -189,7 +189,7 @@ pub fn with_policy(built_in: &Exercise, policy: &CoursePolicy) -> CourseExercise
 type CourseHead = (String, CoursePolicy, Option<Vec<String>>, Vec<&'static Exercise>);
 
 fn read_course_file(text: &str) -> Result<CourseHead, Fault> {
-    let root: Item = parse_toml(text)?;
+    let root: TomlItem = parse_toml(text)?;
     let mut t = TableReader::new("a course", &root)?;
     let name = t.text("name")?.ok_or_else(|| Fault::at(&(0..0), "the course has no name: add name = \"...\""))?;
     let languages = match t.texts("languages")? {

@@ -19,7 +19,7 @@ use gonio_language::Language;
 
 /// A platform that grades.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Platform {
+pub enum GradingPlatform {
     /// Gradescope's autograder.
     Gradescope,
     /// CodeRunner, a question type of Moodle with a Jobe server.
@@ -32,27 +32,32 @@ pub enum Platform {
     Docker,
 }
 
-impl Platform {
+impl GradingPlatform {
     /// All of them.
-    pub const ALL: [Platform; 5] =
-        [Platform::Gradescope, Platform::CodeRunner, Platform::GithubClassroom, Platform::Moodle, Platform::Docker];
+    pub const ALL: [GradingPlatform; 5] = [
+        GradingPlatform::Gradescope,
+        GradingPlatform::CodeRunner,
+        GradingPlatform::GithubClassroom,
+        GradingPlatform::Moodle,
+        GradingPlatform::Docker,
+    ];
 
     /// The word for an option.
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {
-            Platform::Gradescope => "gradescope",
-            Platform::CodeRunner => "coderunner",
-            Platform::GithubClassroom => "github-classroom",
-            Platform::Moodle => "moodle",
-            Platform::Docker => "docker",
+            GradingPlatform::Gradescope => "gradescope",
+            GradingPlatform::CodeRunner => "coderunner",
+            GradingPlatform::GithubClassroom => "github-classroom",
+            GradingPlatform::Moodle => "moodle",
+            GradingPlatform::Docker => "docker",
         }
     }
 
     /// Whether the package contains gonio's own program, if one is given.
     #[must_use]
     pub fn carries_program(self) -> bool {
-        matches!(self, Platform::Gradescope | Platform::Docker)
+        matches!(self, GradingPlatform::Gradescope | GradingPlatform::Docker)
     }
 }
 
@@ -154,13 +159,13 @@ impl PackageRequest<'_> {
 
 /// Makes a package.
 #[must_use]
-pub fn package(platform: Platform, request: &PackageRequest<'_>) -> Package {
+pub fn package(platform: GradingPlatform, request: &PackageRequest<'_>) -> Package {
     match platform {
-        Platform::Gradescope => gradescope::package(request),
-        Platform::CodeRunner => coderunner::package(request),
-        Platform::GithubClassroom => classroom::package(request),
-        Platform::Moodle => moodle::package(request),
-        Platform::Docker => docker::package(request),
+        GradingPlatform::Gradescope => gradescope::package(request),
+        GradingPlatform::CodeRunner => coderunner::package(request),
+        GradingPlatform::GithubClassroom => classroom::package(request),
+        GradingPlatform::Moodle => moodle::package(request),
+        GradingPlatform::Docker => docker::package(request),
     }
 }
 

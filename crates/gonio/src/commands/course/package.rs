@@ -13,7 +13,7 @@ use clap::Args;
 use gonio_app::files::{PackedFile, pack_all};
 use gonio_check::feedback::Feedback;
 use gonio_course::course::{CourseExercise, CoursePolicy, with_policy};
-use gonio_course::package::{Package, PackageRequest, PackagedFile, Platform, package};
+use gonio_course::package::{GradingPlatform, Package, PackageRequest, PackagedFile, package};
 use gonio_course::{Course, CourseFile};
 use gonio_exercises::exercise::{self, ExerciseKind};
 use gonio_gl::HeadlessContext;
@@ -42,9 +42,9 @@ pub struct PackageArgs {
     #[arg(value_name = "EXERCISE")]
     pub exercise: String,
     /// Platform: gradescope, coderunner, github-classroom, moodle, docker.
-    #[arg(long = "for", value_name = "PLATFORM", value_parser = values::named(&Platform::ALL, Platform::word),
+    #[arg(long = "for", value_name = "PLATFORM", value_parser = values::named(&GradingPlatform::ALL, GradingPlatform::word),
           help_heading = "Output options")]
-    pub platform: Platform,
+    pub platform: GradingPlatform,
     /// Folder, which must not exist, or a file that ends in .zip.
     #[arg(long, short, value_name = "FOLDER", help_heading = "Output options")]
     pub output: PathBuf,
@@ -73,7 +73,7 @@ pub fn run(args: &PackageArgs, reporter: &Reporter) -> Result<CommandOutcome, Cl
     }
     let (files, course) = course(args)?;
     let of = find(&course, &args.exercise)?;
-    let takes_any_kind = matches!(args.platform, Platform::Gradescope | Platform::Docker);
+    let takes_any_kind = matches!(args.platform, GradingPlatform::Gradescope | GradingPlatform::Docker);
     if of.exercise.kind != ExerciseKind::Shaders && !takes_any_kind {
         return Err(CliError::new(format!(
             "{} is not answered with a pair of shaders, and {} takes only those; gradescope and docker take it",
