@@ -33,7 +33,7 @@ pub struct VerifyOptions {
 
 impl Default for VerifyOptions {
     fn default() -> Self {
-        VerifyOptions { most_mutants: 80, least_found: 0.95 }
+        VerifyOptions { most_mutants: 80, least_found: 0.85 }
     }
 }
 

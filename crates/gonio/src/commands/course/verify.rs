@@ -26,7 +26,7 @@ Examples:
   gonio course verify graphics rim-light --mutants 200
   gonio course verify --json
 
-Exit codes: 0 every goal is reached (95 % of the mistakes are called wrong, or --least; no false alarm), 1 one is not, 2 error.")]
+Exit codes: 0 every goal is reached (85 % of the mistakes are called wrong, or --least; no false alarm), 1 one is not, 2 error.")]
 pub struct VerifyArgs {
     /// The course's folder, by default the one around the current folder; or an exercise of that one.
     #[arg(value_name = "FOLDER")]
@@ -39,7 +39,7 @@ pub struct VerifyArgs {
           help_heading = "Check options")]
     pub mutants: u32,
     /// Share of the visible mistakes that have to be called wrong, from 0 to 1.
-    #[arg(long, value_name = "SHARE", default_value = "0.95", value_parser = values::not_negative, help_heading = "Check options")]
+    #[arg(long, value_name = "SHARE", default_value = "0.85", value_parser = values::not_negative, help_heading = "Check options")]
     pub least: f64,
     #[command(flatten)]
     pub general: GeneralOptions,
