@@ -27,6 +27,8 @@ const FREE: Vec2 = vec2(8.0, 44.0);
 const BESIDE: f32 = 90.0;
 /// Distances above or below it, in panes that have no room beside it: the least, and the one where there is room enough.
 const ABOVE: [f32; 2] = [24.0, 72.0];
+/// Distance from the axes cross, if the inset would cover that.
+const GAP: f32 = 4.0;
 /// The angle by which the inset looks down on the surface, radians.
 const RISE: f64 = 0.22;
 
@@ -171,7 +173,7 @@ fn inset_place(room: Rect, point: Option<Pos2>) -> Option<Rect> {
 fn beside_axes(place: Rect, room: Rect, inner: Rect) -> Rect {
     let cross = Rect::from_min_max(room.left_bottom() + vec2(0.0, -axes::extent(room)), room.left_bottom());
     let cross = cross.with_max_x(room.left() + axes::extent(room));
-    let moved = place.translate(vec2(cross.right() - place.left(), 0.0));
+    let moved = place.translate(vec2(cross.right() + GAP - place.left(), 0.0));
     if place.intersects(cross) && moved.right() <= inner.right() { moved } else { place }
 }
 
