@@ -41,6 +41,8 @@ cargo xtask bench [NAME...]  run benchmarks; without a name, all of them
     unwrap                   texture coordinates of several models, their speed and that of a bake, against xatlas and Blender
     bench                    a frame of the BRDF bench when the angle of incidence changes
     window                   dragging a light in the window, against the renderer alone; needs Xvfb
+    python                   a picture from Python against the same from Rust; needs python3, and pip for the package
+    ray                      10,000 pictures by a Ray cluster, of which a worker is killed, against one plain process for each core
 cargo xtask bench web        the page in headless Chromium against a three.js page: first frame, memory
 cargo xtask fuzz [TARGET...] [--minutes N]
                              fuzz every reader, 20 minutes each; needs cargo-fuzz and nightly Rust
