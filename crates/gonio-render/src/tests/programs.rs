@@ -19,11 +19,11 @@ fn link_all(dialect: Dialect, es: bool) {
     let special = SpecialProgram::ALL.map(|p| (p.name().to_owned(), p.sources(dialect)));
     let programs: Vec<_> = scenes.chain(outputs).chain([sky]).chain(special).collect();
     // 4 shadings (and Phong with a normal map) x 8 reflectances x 3 sets of maps x sides x views x 3 kinds of loops
-    // and one with colours of vertices and one with shadows; and 2 + 4 tone maps x 2 encodings, of one sample, of grids, and of multisampled
+    // and one with colours of vertices and one with shadows; those that write displayed colours, without views; and 2 + 4 tone maps x 2 encodings, of one sample, of grids, and of multisampled
     // textures where there are any. With an environment 13 ways to show it, for 2 kinds of materials; and the sky,
     // and ten programs of overlays, special views, shadow maps, the ground and outlines.
     let outputs = if es { 20 } else { 30 };
-    assert_eq!(programs.len(), 5 * 8 * 3 * 2 * 2 * (3 + 2) + 5 * 2 * 2 * 13 + 1 + 10 + outputs);
+    assert_eq!(programs.len(), 5 * 8 * 3 * 2 * (2 * (3 + 2) + 1) + 5 * 2 * 2 * 13 + 1 + 10 + outputs);
     for (name, [vertex, fragment]) in programs {
         if let Err(why) = Program::new(context.gl(), &name, &vertex, &fragment, &ATTRIBUTES) {
             panic!("{dialect:?}: {why}");
