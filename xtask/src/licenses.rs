@@ -363,6 +363,7 @@ mod tests {
         let packages = [
             package("gonio", "null", "bin"),
             package("gonio-web", "null", "lib"),
+            package("gonio-python", "null", "lib"),
             package("a", "\"r\"", "lib"),
             package("macro", "\"r\"", "proc-macro"),
             package("syn", "\"r\"", "lib"),
