@@ -70,12 +70,12 @@ const MOST_KEPT: usize = 2048;
 
 thread_local! {
     /// Rows of earlier runs: a check runs a program hundreds of times, and spent a fifth of its time on their memory.
-    static KEPT: RefCell<Vec<Box<Row>>> = const { RefCell::new(Vec::new()) };
+    static KEPT: RefCell<Vec<Option<Box<Row>>>> = const { RefCell::new(Vec::new()) };
 }
 
 /// A row of zeros, so that no run depends on earlier ones.
 fn zeros() -> Box<Row> {
-    match KEPT.with_borrow_mut(Vec::pop) {
+    match KEPT.with_borrow_mut(Vec::pop).flatten() {
         Some(mut row) => {
             row.fill(0);
             row
@@ -86,7 +86,8 @@ fn zeros() -> Box<Row> {
 
 impl Drop for Registers {
     fn drop(&mut self) {
-        let rows = self.slots.iter_mut().filter_map(|slot| slot.row.take()).chain(self.spare.drain(..).flatten());
+        let rows =
+            self.slots.iter_mut().map(|slot| slot.row.take()).chain(self.spare.drain(..)).filter(Option::is_some);
         // At the end of a thread, there is nothing to keep them for.
         let _ = KEPT.try_with(|kept| {
             let mut kept = kept.borrow_mut();
