@@ -1,4 +1,4 @@
-//! Measures gonio: `gonio-bench render|render-large|frame|lights|obj|environment|trace|unwrap|interpret|bench|window`. `cargo xtask bench` builds
+//! Measures gonio: `gonio-bench render|render-large|frame|lights|obj|environment|trace|unwrap|interpret|bench|window|python|ray`. `cargo xtask bench` builds
 //! everything and runs it. Each benchmark prints a table and writes `target/bench/NAME.json`.
 //!
 //! Times are medians of alternating runs, so that other load on the machine affects all sides alike.
@@ -12,6 +12,9 @@ mod models;
 mod obj;
 mod obj_readers;
 mod peers;
+mod python;
+mod python_package;
+mod ray;
 mod render;
 mod screen;
 mod trace;
@@ -45,6 +48,8 @@ const BENCHES: &[(&str, Bench)] = &[
     ("interpret", interpret::run),
     ("bench", bench_redraw::run),
     ("window", window::run),
+    ("python", python::run),
+    ("ray", ray::run),
 ];
 
 fn main() -> ExitCode {

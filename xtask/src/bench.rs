@@ -1,5 +1,6 @@
 //! `cargo xtask bench`: builds the program and the benchmarks, and runs `gonio-bench`.
 
+use crate::test::python;
 use crate::web::{self, Build};
 use crate::{process, root};
 use std::path::PathBuf;
@@ -30,6 +31,14 @@ pub fn run(names: &[&str]) -> ExitCode {
     if !built.success {
         eprint!("{}", built.text);
         return ExitCode::from(2);
+    }
+    if names.is_empty() || names.iter().any(|name| matches!(*name, "python" | "ray")) {
+        println!("building the Python package");
+        let installed = python::Environment::new(&root).and_then(|python| python.install("release"));
+        if let Err(error) = installed {
+            eprintln!("xtask: bench: {}", error.trim_end());
+            return ExitCode::from(2);
+        }
     }
     // Not `cargo run`, which selects other features for a single package and would build again.
     let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), PathBuf::from);

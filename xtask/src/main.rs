@@ -41,14 +41,17 @@ cargo xtask bench [NAME...]  run benchmarks; without a name, all of them
     unwrap                   texture coordinates of several models, their speed and that of a bake, against xatlas and Blender
     bench                    a frame of the BRDF bench when the angle of incidence changes
     window                   dragging a light in the window, against the renderer alone; needs Xvfb
+    python                   a picture from Python against the same from Rust; needs python3, and pip for the package
+    ray                      10,000 pictures by a Ray cluster, of which a worker is killed, against one plain process for each core
 cargo xtask bench web        the page in headless Chromium against a three.js page: first frame, memory
 cargo xtask fuzz [TARGET...] [--minutes N]
                              fuzz every reader, 20 minutes each; needs cargo-fuzz and nightly Rust
 cargo xtask web [--dev]      build the web page into dist and print its size; needs node and npm
-cargo xtask dist [--target T] [--built-page] [--manifests]
+cargo xtask dist [--target T] [--built-page] [--manifests] [--wheel]
                              build the archive of a release into target/packages, with checksums and manifests
     --built-page             embed the page that is in dist instead of building it
     --manifests              write checksums and manifests of the archives that are there, and build nothing
+    --wheel                  build the wheel of the Python package instead of the archive; needs python3
 cargo xtask vscode           build the extension for VS Code into editors/vscode/dist; needs node and npm
 cargo xtask book [--pictures]
                              write what the program generates for the book in docs, and build it; needs mdbook
