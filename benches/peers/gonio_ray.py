@@ -3,7 +3,7 @@
     gonio_ray.py plain CORES PICTURES SIZE
     gonio_ray.py cluster CORES PICTURES SIZE [kill]
 
-Prints seconds, the number of pictures, and of different numbers of pictures. The cluster has one node for each core, and a head without
+Prints `result`, seconds, the number of pictures, and of different numbers of pictures. The cluster has one node for each core, and a head without
 cores; with `kill`, one of its workers is killed after a third of the pictures. Its start does not count, nor do imports; that of the
 workers and of their OpenGL contexts does.
 """
@@ -65,7 +65,7 @@ def plain(cores: int, pictures: int, size: str) -> None:
     seconds = time.perf_counter() - start
     for process in processes:
         process.communicate()
-    print(seconds, sum(answer[0] for answer in answers), sum(answer[1] for answer in answers))
+    print("result", seconds, sum(answer[0] for answer in answers), sum(answer[1] for answer in answers))
 
 
 def workers(cluster: object) -> list[int]:
@@ -107,7 +107,7 @@ def cluster(cores: int, pictures: int, size: str, kill: bool) -> None:
     seconds = time.perf_counter() - start
     if not killed:
         sys.exit("no worker was killed")
-    print(seconds, len(ids), len(set(ids)))
+    print("result", seconds, len(ids), len(set(ids)))
     ray.shutdown()
     nodes.shutdown()
 

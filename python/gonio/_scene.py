@@ -132,6 +132,8 @@ class Scene:
 
     def _sized(self, size: Size | None, samples: int | None = None) -> _native.NativeScene:
         """The scene in another size: its camera and its lights suit the shape of the picture, as if it had been loaded so."""
+        if size is None and samples is None:
+            return self._native
         own = self.settings["picture"]
         size = (own["width"], own["height"]) if size is None else (int(size[0]), int(size[1]))
         picture = {**own, "width": size[0], "height": size[1], "samples": own["samples"] if samples is None else samples}

@@ -47,10 +47,11 @@ cargo xtask bench web        the page in headless Chromium against a three.js pa
 cargo xtask fuzz [TARGET...] [--minutes N]
                              fuzz every reader, 20 minutes each; needs cargo-fuzz and nightly Rust
 cargo xtask web [--dev]      build the web page into dist and print its size; needs node and npm
-cargo xtask dist [--target T] [--built-page] [--manifests]
+cargo xtask dist [--target T] [--built-page] [--manifests] [--wheel]
                              build the archive of a release into target/packages, with checksums and manifests
     --built-page             embed the page that is in dist instead of building it
     --manifests              write checksums and manifests of the archives that are there, and build nothing
+    --wheel                  build the wheel of the Python package instead of the archive; needs python3
 cargo xtask vscode           build the extension for VS Code into editors/vscode/dist; needs node and npm
 cargo xtask book [--pictures]
                              write what the program generates for the book in docs, and build it; needs mdbook

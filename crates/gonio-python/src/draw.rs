@@ -34,7 +34,7 @@ struct KeptScene {
 pub struct Drawn {
     /// Its number.
     pub number: u64,
-    /// With its objects where they are at the frame's time.
+    /// With its objects where they are at time 0.
     pub scene: Arc<Scene>,
     /// The frame.
     pub frame: Frame,
@@ -51,14 +51,18 @@ pub struct DrawnPictures {
 }
 
 impl GlDrawer {
-    /// Opens the context, once. Returns the largest side of a picture.
-    pub fn open(&mut self) -> Result<u32, Failure> {
+    /// Opens the context, once. The error is why it cannot draw pictures of this size.
+    pub fn open_for(&mut self, width: u32, height: u32) -> Result<(), Failure> {
         let opened = self.opened.get_or_insert_with(|| {
             let context = HeadlessContext::new()?;
             Ok(Open { renderer: Renderer::new(context.gl().clone())?, _context: context })
         });
         match opened {
-            Ok(open) => Ok(open.renderer.info().max_size),
+            Ok(open) if width.max(height) > open.renderer.info().max_size => {
+                let most = open.renderer.info().max_size;
+                Err(Failure(format!("this driver draws at most {most} pixels along a side")))
+            }
+            Ok(_) => Ok(()),
             Err(failure) => Err(failure.clone()),
         }
     }
@@ -73,7 +77,6 @@ impl GlDrawer {
 
     /// Draws all views.
     pub fn draw(&mut self, drawn: &Drawn) -> Result<DrawnPictures, Failure> {
-        self.open()?;
         let Some(Ok(open)) = &mut self.opened else {
             return Err(Failure::new("there is no OpenGL context"));
         };
@@ -81,7 +84,9 @@ impl GlDrawer {
         let at = self.scenes.iter().position(|kept| kept.scene == drawn.number && kept.time == time);
         let kept = match at {
             Some(at) => self.scenes.remove(at),
-            None => KeptScene { scene: drawn.number, time, gpu: open.renderer.upload(&drawn.scene)? },
+            None => {
+                KeptScene { scene: drawn.number, time, gpu: open.renderer.upload(&drawn.scene.at(drawn.frame.time))? }
+            }
         };
         // Another moment of the same scene is not drawn again, as a rule.
         self.scenes.retain(|other| other.scene != drawn.number);

@@ -288,27 +288,23 @@ impl NativeScene {
         frame: Frame,
         views: Vec<Option<ViewSpec>>,
     ) -> Result<(DrawnPictures, String), Failure> {
-        let largest = frame.width.max(frame.height);
-        let reason = match backend {
-            "cpu" => None,
-            "auto" | "gl" => match self.session.run(|drawer| drawer.open()) {
-                Ok(most) if largest <= most => {
-                    let drawn = Drawn { number: self.number, scene: Arc::new(self.scene.at(frame.time)), frame, views };
-                    return self.session.run(move |drawer| {
-                        let pictures = drawer.draw(&drawn)?;
-                        Ok((pictures, format!("OpenGL ({})", drawer.driver())))
-                    });
-                }
-                Ok(most) => Some(format!("this driver draws at most {most} pixels along a side")),
-                Err(failure) => Some(failure.0),
-            },
-            other => {
-                return Err(Failure(format!("invalid backend `{other}`: expected \"auto\", \"gl\" or \"cpu\"")));
+        if backend == "cpu" {
+            return Ok((self.draw_on_cpu(&frame, &views), "the CPU reference".to_owned()));
+        }
+        if !matches!(backend, "auto" | "gl") {
+            return Err(Failure(format!("invalid backend `{backend}`: expected \"auto\", \"gl\" or \"cpu\"")));
+        }
+        let drawn = Drawn { number: self.number, scene: self.scene.clone(), frame, views };
+        let drawing = self.session.run(move |drawer| match drawer.open_for(drawn.frame.width, drawn.frame.height) {
+            Ok(()) => Ok(Ok((drawer.draw(&drawn)?, format!("OpenGL ({})", drawer.driver())))),
+            Err(reason) => Ok(Err((reason.0, drawn))),
+        })?;
+        match drawing {
+            Ok(done) => Ok(done),
+            Err((reason, _)) if backend == "gl" => Err(Failure(format!("{reason}; backend=\"cpu\" needs no OpenGL"))),
+            Err((reason, drawn)) => {
+                Ok((self.draw_on_cpu(&drawn.frame, &drawn.views), format!("the CPU reference: {reason}")))
             }
-        };
-        match reason {
-            Some(reason) if backend == "gl" => Err(Failure(format!("{reason}; backend=\"cpu\" needs no OpenGL"))),
-            reason => Ok((self.draw_on_cpu(&frame, &views), cpu_sentence(reason))),
         }
     }
 
@@ -317,13 +313,6 @@ impl NativeScene {
         let views: Vec<ViewSpec> = views.iter().map(|view| view.unwrap_or(total)).collect();
         let rendered = self.reference(frame.time).views(frame, &views, &|_| {});
         DrawnPictures { pictures: rendered.into_iter().map(|r| r.picture).collect(), notes: Vec::new() }
-    }
-}
-
-fn cpu_sentence(reason: Option<String>) -> String {
-    match reason {
-        Some(reason) => format!("the CPU reference: {reason}"),
-        None => "the CPU reference".to_owned(),
     }
 }
 

@@ -29,7 +29,7 @@ pub struct Release {
     pub version: String,
     /// The address of the repository.
     pub repository: String,
-    /// The hash of each archive by its name.
+    /// The hash of each archive, and of each wheel of the Python package, by its name.
     pub hashes: BTreeMap<String, String>,
 }
 
@@ -41,7 +41,7 @@ impl Release {
         for entry in std::fs::read_dir(folder).map_err(unread)? {
             let path = entry.map_err(unread)?.path();
             let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-            let is_archive = name.ends_with(".tar.gz") || name.ends_with(".zip");
+            let is_archive = [".tar.gz", ".zip", ".whl"].iter().any(|end| name.ends_with(end));
             if is_archive && name.starts_with(&format!("gonio-{version}-")) {
                 let bytes = std::fs::read(&path).map_err(|error| format!("cannot read {}: {error}", path.display()))?;
                 hashes.insert(name, sha256::hex(&bytes));

@@ -5,6 +5,7 @@
 //! gonio             cargo, profile `dist`            one executable
 //!                   gonio completions, gonio man     scripts of shells, manual pages
 //!                   archive                          target/packages/gonio-VERSION-TARGET.tar.gz or .zip
+//! gonio-python      maturin, profile `dist`          with --wheel: target/packages/gonio-VERSION-cp311-abi3-SYSTEM.whl
 //!                   sha256, manifests                SHA256SUMS; packaging/ filled in: target/packages/manifests
 //! ```
 
@@ -12,6 +13,7 @@ pub mod archive;
 pub mod manifests;
 pub mod sha256;
 pub mod trial;
+mod wheel;
 
 use crate::web::{self, target_folder};
 use crate::{book, process, root};
@@ -47,6 +49,8 @@ struct Options {
     built_page: bool,
     /// Write the sums and manifests of the archives that are there, and build nothing.
     only_manifests: bool,
+    /// Build the wheel of the Python package instead of the archive.
+    wheel: bool,
 }
 
 fn options(words: &[&str]) -> Result<Options, String> {
@@ -57,7 +61,12 @@ fn options(words: &[&str]) -> Result<Options, String> {
             "--target" => options.target = Some(words.next().ok_or("--target needs a target")?.to_string()),
             "--built-page" => options.built_page = true,
             "--manifests" => options.only_manifests = true,
-            _ => return Err(format!("unknown option `{word}`; the options are --target T, --built-page, --manifests")),
+            "--wheel" => options.wheel = true,
+            _ => {
+                return Err(format!(
+                    "unknown option `{word}`; the options are --target T, --built-page, --manifests, --wheel"
+                ));
+            }
         }
     }
     Ok(options)
@@ -78,7 +87,11 @@ fn make(root: &Path, options: &Options, say: &mut dyn FnMut(&str)) -> Result<(),
     let package = Package::read(root)?;
     let folder = packages_folder(root);
     std::fs::create_dir_all(&folder).map_err(|error| format!("cannot make {}: {error}", folder.display()))?;
-    if !options.only_manifests {
+    if options.wheel {
+        let target = options.target.clone().map_or_else(|| host(root), Ok)?;
+        let wheel = wheel::build(root, &target, say)?;
+        say(&wheel.display().to_string());
+    } else if !options.only_manifests {
         if !options.built_page {
             web::build_page(root, web::Build::Shipped, say)?;
         }
@@ -253,8 +266,8 @@ mod tests {
     #[test]
     fn options_are_read_and_others_refused() {
         assert_eq!(options(&[]).unwrap(), Options::default());
-        let expected = Options { target: Some("t".into()), built_page: true, only_manifests: true };
-        assert_eq!(options(&["--built-page", "--target", "t", "--manifests"]).unwrap(), expected);
+        let expected = Options { target: Some("t".into()), built_page: true, only_manifests: true, wheel: true };
+        assert_eq!(options(&["--built-page", "--target", "t", "--manifests", "--wheel"]).unwrap(), expected);
         assert!(options(&["--target"]).is_err());
         assert!(options(&["--tarket", "t"]).unwrap_err().contains("--tarket"));
     }

@@ -27,16 +27,29 @@ pub fn step(root: &Path) -> Findings {
     Environment::new(root).and_then(|python| python.test(&program)).unwrap_or_else(Findings::fail)
 }
 
-/// An environment with the packages that the tests need.
+/// An environment of Python's, below `target/python`.
 pub struct Environment<'r> {
     root: &'r Path,
     /// `target/python`
     folder: PathBuf,
 }
 
+/// The packages with their versions.
+const REQUIREMENTS: &str = "python/tests/requirements.txt";
+
 impl<'r> Environment<'r> {
-    /// Makes the environment, or brings it up to date.
+    /// The environment with all packages that the tests need.
     pub fn new(root: &'r Path) -> Result<Self, String> {
+        Environment::with(root, &["--requirement", REQUIREMENTS])
+    }
+
+    /// The environment with what builds wheels.
+    pub fn for_wheels(root: &'r Path) -> Result<Self, String> {
+        Environment::with(root, &["--constraint", REQUIREMENTS, "maturin"])
+    }
+
+    /// Makes the environment, or brings it up to date.
+    fn with(root: &'r Path, packages: &[&str]) -> Result<Self, String> {
         let folder = target_folder(root).join("python");
         let environment = Environment { root, folder };
         if !environment.program("python").is_file() {
@@ -51,7 +64,7 @@ impl<'r> Environment<'r> {
                 ));
             }
         }
-        environment.pip(&["-r", "python/tests/requirements.txt"])?;
+        environment.pip(packages)?;
         Ok(environment)
     }
 
@@ -75,22 +88,23 @@ impl<'r> Environment<'r> {
     pub fn install(&self, profile: &str) -> Result<PathBuf, String> {
         let wheel = match std::env::var_os(WHEEL_VARIABLE) {
             Some(wheel) => self.root.join(wheel),
-            None => self.build(profile)?,
+            // Little for debuggers, as in the program for Windows.
+            None => self.wheel(profile, &[], &[("CARGO_PROFILE_DEV_DEBUG", "0"), ("CARGO_INCREMENTAL", "0")])?,
         };
         self.pip(&["--force-reinstall", "--no-deps", &wheel.to_string_lossy()])?;
         Ok(wheel)
     }
 
-    fn build(&self, profile: &str) -> Result<PathBuf, String> {
+    /// Builds a wheel with a profile of Cargo's, and further arguments of maturin and variables.
+    pub fn wheel(&self, profile: &str, more: &[&str], variables: &[(&str, &str)]) -> Result<PathBuf, String> {
+        // A folder of its own shows which wheel is new.
         let wheels = self.folder.join("wheels").join(profile);
         if wheels.exists() {
             std::fs::remove_dir_all(&wheels).map_err(|error| format!("{}: {error}", wheels.display()))?;
         }
         let mut maturin = Command::new(self.program("maturin"));
-        maturin.args(["build", "--locked", "--quiet", "--profile", profile, "--interpreter"]);
-        maturin.arg(self.program("python")).arg("--out").arg(&wheels);
-        // Little for debuggers, as in the program for Windows.
-        self.run(maturin.env("CARGO_PROFILE_DEV_DEBUG", "0").env("CARGO_INCREMENTAL", "0"))?;
+        maturin.args(["build", "--locked", "--quiet", "--profile", profile]).arg("--out").arg(&wheels).args(more);
+        self.run(maturin.envs(variables.iter().copied()))?;
         let built = std::fs::read_dir(&wheels).map_err(|error| format!("{}: {error}", wheels.display()))?;
         let mut built = built.flatten().map(|entry| entry.path());
         built.find(|path| path.extension().is_some_and(|end| end == "whl")).ok_or("maturin built no wheel".to_owned())
