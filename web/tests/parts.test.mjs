@@ -6,7 +6,8 @@ import { settled, suite } from "./support/lab.mjs";
 
 const { test } = suite();
 
-test("a click selects a part, whose outline is shown and whose material is edited", async (lab) => {
+/** A still life, seen from above. */
+const opened = async (lab) => {
   await lab.drop({ name: "parts.toml", text: `
 [camera]
 position = [3, 4, 6]
@@ -15,6 +16,10 @@ target = [0, 0, 0]
 model = "builtin:still_life"
 ` });
   await lab.until((state) => settled(state) && state.title === "parts.toml");
+};
+
+test("a click selects a part, whose outline is shown and whose material is edited", async (lab) => {
+  await opened(lab);
   await lab.click("tab-objects");
   await lab.park();
   const [whole, bare] = [await lab.saved(), await lab.picture("pane-0")];
@@ -38,14 +43,7 @@ model = "builtin:still_life"
 }, { viewport: { width: 1100, height: 720 } });
 
 test("on a phone, the material of a part that was touched is in view", async (lab) => {
-  await lab.drop({ name: "parts.toml", text: `
-[camera]
-position = [3, 4, 6]
-target = [0, 0, 0]
-[[object]]
-model = "builtin:still_life"
-` });
-  await lab.until((state) => settled(state) && state.title === "parts.toml");
+  await opened(lab);
   const { rect: [left, top, width, height] } = await lab.widget("pane-0");
   await lab.page.touchscreen.tap(left + 0.35 * width, top + 0.4 * height);
   await lab.until(({ selection }) => selection?.part_name === "Crate_Wood");

@@ -1,11 +1,11 @@
 //! The same program written in other ways, which draws the same pictures. A checker that calls one of them wrong raises a false
 //! alarm (metamorphic testing: Chen, Cheung and Yiu, 1998).
 
-use super::source::{Source, children, range, replaced};
+use super::source::{Source, range, replaced};
 use gonio_check::roles::{Bindings, Role, VariableKind};
 use gonio_check::submission::without_comments;
 use gonio_glsl::ast::{BinaryOp, Call, Declaration, ExprKind, Function, Item, Param, StatementKind};
-use gonio_glsl::walk::{Visitor, walk_unit};
+use gonio_glsl::walk::{Visitor, parts, walk_unit};
 use gonio_glsl::{Expr, Stage, Statement, Type};
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -105,7 +105,7 @@ type ExprChange = dyn Fn(&Source<'_>, &Expr, &[String]) -> Option<String>;
 /// The source with every expression rewritten from the inside out. `change` is given an expression and the texts of its parts.
 fn rewritten(source: &Source<'_>, change: &ExprChange) -> String {
     fn text(source: &Source<'_>, expr: &Expr, change: &ExprChange) -> String {
-        let parts = children(expr);
+        let parts = parts(expr);
         let texts: Vec<String> = parts.iter().map(|part| text(source, part, change)).collect();
         if let Some(new) = change(source, expr, &texts) {
             return new;

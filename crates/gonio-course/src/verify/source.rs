@@ -1,6 +1,5 @@
 //! Edits of shaders at the places of their syntax trees.
 
-use gonio_glsl::ast::{Call, ExprKind};
 use gonio_glsl::walk::{Visitor, walk_unit};
 use gonio_glsl::{Checked, Expr, Parsed, Stage};
 use std::ops::Range;
@@ -76,19 +75,4 @@ pub(super) fn replaced(text: &str, mut edits: Vec<(Range<usize>, String)>) -> St
     }
     result.push_str(text.get(at..).unwrap_or_default());
     result
-}
-
-/// The expressions directly within another one.
-pub(super) fn children(expr: &Expr) -> Vec<&Expr> {
-    match &expr.kind {
-        ExprKind::Literal(_) | ExprKind::Name(_) => Vec::new(),
-        ExprKind::Call(Call { args, .. }) => args.iter().collect(),
-        ExprKind::Field { base, .. } | ExprKind::Length(base) => vec![base],
-        ExprKind::Index { base, index } => vec![base, index],
-        ExprKind::Unary { operand, .. } => vec![operand],
-        ExprKind::Binary { left, right, .. } => vec![left, right],
-        ExprKind::Ternary { condition, then, otherwise } => vec![condition, then, otherwise],
-        ExprKind::Assign { target, value, .. } => vec![target, value],
-        ExprKind::Sequence(all) | ExprKind::List(all) => all.iter().collect(),
-    }
 }
