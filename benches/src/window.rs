@@ -39,6 +39,14 @@ pub fn run(places: &Places) -> Result<bool, String> {
 /// Runs the window's process and returns its measurements.
 fn measured(places: &Places, screen: &Screen, scene: &Path, way: &str) -> Result<Value, String> {
     let here = std::env::current_exe().map_err(|e| format!("cannot find this program: {e}"))?;
+    // A draft of an earlier run would be offered, and its message would take room from the picture.
+    let state = places.out.join("state");
+    match std::fs::remove_dir_all(&state) {
+        Err(e) if e.kind() != std::io::ErrorKind::NotFound => {
+            return Err(format!("cannot empty {}: {e}", state.display()));
+        }
+        _ => {}
+    }
     let output = Command::new(here)
         .arg(window_process::NAME)
         .arg(scene)
@@ -49,7 +57,7 @@ fn measured(places: &Places, screen: &Screen, scene: &Path, way: &str) -> Result
         // Mesa's software driver, even if there is a graphics card.
         .env("LIBGL_ALWAYS_SOFTWARE", "1")
         // The user's settings are neither used nor changed.
-        .env("XDG_STATE_HOME", places.out.join("state"))
+        .env("XDG_STATE_HOME", &state)
         .stdin(Stdio::null())
         .stderr(Stdio::inherit())
         .output()

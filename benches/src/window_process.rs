@@ -173,7 +173,7 @@ impl eframe::App for Hand {
             .retain(|event| !matches!(event, Event::PointerMoved(_) | Event::PointerGone | Event::MouseMoved(_)));
         input.focused = true;
         if let Err(why) = self.begin(ctx, input) {
-            self.finish(ctx, Err(why));
+            self.finish(Err(why));
         }
         input.events.insert(0, Event::PointerMoved(self.place));
         ctx.request_repaint();
@@ -192,8 +192,8 @@ impl eframe::App for Hand {
             }
             match run.end_of_turn(&self.app) {
                 Ok(None) => {}
-                Ok(Some(measured)) => self.finish(ui.ctx(), Ok(measured)),
-                Err(why) => self.finish(ui.ctx(), Err(why)),
+                Ok(Some(measured)) => self.finish(Ok(measured)),
+                Err(why) => self.finish(Err(why)),
             }
         }
     }
@@ -211,17 +211,17 @@ impl eframe::App for Hand {
 }
 
 impl Hand {
-    /// Closes the window.
-    fn finish(&mut self, ctx: &Context, result: Result<Measured, String>) {
+    /// Ends the measurement: the next frames close the window.
+    fn finish(&mut self, result: Result<Measured, String>) {
         self.end.borrow_mut().get_or_insert(result);
         self.state = State::Done;
-        ctx.send_viewport_cmd(ViewportCommand::Close);
     }
 
     /// Moves the pointer in the frame that begins.
     fn begin(&mut self, ctx: &Context, input: &mut RawInput) -> Result<(), String> {
         match &mut self.state {
-            State::Done => {}
+            // The moved light is not saved: the first time, the application only says so.
+            State::Done => ctx.send_viewport_cmd(ViewportCommand::Close),
             State::Loading => {
                 let session = self.app.session();
                 if let Some(why) = session.messages.last_error() {
