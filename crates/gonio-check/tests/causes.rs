@@ -393,6 +393,40 @@ void main() {
     assert_eq!(lines(&of_exercise("ex06", IN_WORLD_SPACE, &swapped)), [7, 8]);
 }
 
+/// A row vector times the matrices: the positions are wrong and the colours are not.
+#[test]
+fn a_wrong_position_on_the_screen_in_no_list_has_its_line_alone_and_beside_a_wrong_colour() {
+    let by_rows = IN_WORLD_SPACE.replace("P * V * M * vec4(position, 1.0);", "vec4(position, 1.0) * P * V * M;");
+    let lit = LIT_IN_VIEW_SPACE.replace("(V * vec4(light_pos, 1.0)).xyz", "light_pos");
+    assert_eq!(lines(&of_exercise("ex04", &by_rows, &lit)), [6]);
+    let sine = lit
+        .replace("max(dot(normalize(n), normalize(toLight)), 0.0)", "length(cross(normalize(n), normalize(toLight)))");
+    let both = of_exercise("ex04", &by_rows, &sine);
+    assert_eq!((lines(&both), both.explanations.len()), (vec![6, 7], 0));
+}
+
+/// The steps of the formula are right values, so that its sum is where it goes wrong.
+#[test]
+fn a_wrong_sign_in_the_formula_of_the_reflected_direction_is_one_mistake() {
+    let fragment = "#version 330 core
+in vec3 n; in vec3 p;
+uniform vec3 light_pos, u_view_pos; uniform float shininess;
+out vec4 c;
+void main() {
+    vec3 a = normalize(n);
+    vec3 l = normalize(light_pos - p);
+    vec3 r = 2.0 * dot(a, l) * a + l;
+    c = vec4(vec3(pow(max(dot(r, normalize(u_view_pos - p)), 0.0), shininess)), 1.0);
+}
+";
+    let right = of_exercise("ex06", IN_WORLD_SPACE, &fragment.replace("a + l", "a - l"));
+    assert!(matches!(right.found, Found::Right(_)), "{right:?}");
+    let diagnosis = of_exercise("ex06", IN_WORLD_SPACE, fragment);
+    assert_eq!(lines(&diagnosis), [8]);
+    let Found::Causes(groups) = &diagnosis.found else { panic!("{diagnosis:?}") };
+    assert_eq!(groups[0][0].should, "should be the reflected or refracted direction");
+}
+
 /// In the first scene of a sky, the camera stands at the origin and looks ahead: V is the identity.
 #[test]
 fn v_and_p_of_a_sky_are_told_apart_whatever_their_names() {

@@ -5,7 +5,7 @@ use super::explanation::{Explanation, Strengths};
 use super::few_places::{AtFew, DARKEST};
 use super::prediction::{Predicted, Predictor, Sum};
 use super::shown::Shown;
-use super::target::{Fit, Seen, is_in_place, planes};
+use super::target::{Fit, Seen, SeenColours, is_in_place, planes};
 use super::values::Values;
 use crate::mistakes::{Hypothesis, Mistake, TERMS, term_of};
 use std::rc::Rc;
@@ -45,7 +45,7 @@ pub(crate) struct Candidate {
 impl Candidate {
     /// Whether a hypothesis draws every scene at all places; returns the fitted strengths.
     fn draws(&self, seen: &Seen, hypothesis: &Hypothesis, required: [bool; 3]) -> Option<Strengths> {
-        let whole = planes(&seen.colour);
+        let whole = SeenColours::new(planes(&seen.colour));
         // A mistake in a term may take its light away.
         let all = &self.fine.all.hypotheses.mistakes;
         let is_of =
@@ -108,6 +108,21 @@ impl Candidate {
             let is_required = |term: &Option<usize>| term.is_none_or(|term| required[term]);
             let open = predicted.open.iter().filter(|(term, _)| is_required(term)).map(|(_, planes)| planes);
             open.chain([&predicted.known]).flatten().flatten().all(|x| x.is_nan() || *x < DARKEST)
+        })
+    }
+
+    /// Whether the required terms alone make every place as bright as a screen can show, where their open strengths are 1:
+    /// others that do so are strengths that nobody writes.
+    pub(super) fn is_white(&self, hypothesis: &Hypothesis, required: [bool; 3]) -> bool {
+        const WHITE: f32 = 0.999;
+        (0..self.fine.scenes()).all(|scene| {
+            let predicted = self.fine.predict(scene, hypothesis, Sum::Terms);
+            let is_required = |term: Option<usize>| term.is_none_or(|term| required[term]);
+            let open = || predicted.open.iter().filter(|(term, _)| is_required(*term)).map(|(_, planes)| planes);
+            predicted.known.iter().enumerate().all(|(channel, known)| {
+                let sum = |(place, known): (usize, &f32)| known + open().map(|one| one[channel][place]).sum::<f32>();
+                known.iter().enumerate().map(sum).all(|sum| !sum.is_finite() || sum >= WHITE)
+            })
         })
     }
 

@@ -243,7 +243,11 @@ impl Diagnosing<'_> {
             let mut search = Search::new(Observer { runner: &runner, model }, target, &explanations);
             let found = search.run(tried);
             runs += search.runs();
-            let rank = |found: &Found| (found.rank(), tried == Tried::Known && !found.is_at_mistakes());
+            // Where no value is the mistake's own, the earliest is nearest to it.
+            let rank = |found: &Found| match tried == Tried::Known && !found.is_at_mistakes() {
+                true => (found.rank(), true, found.depth_of_firsts()),
+                false => (found.rank(), false, 0),
+            };
             if best.as_ref().is_none_or(|(known, _)| rank(&found) < rank(known)) {
                 best = Some((found, at));
             }
@@ -422,6 +426,14 @@ impl Diagnosing<'_> {
                 (is_other_stage, std::cmp::Reverse(*likeness))
             });
             found = all.into_iter().map(|(method, _)| (method, Space::World)).collect();
+        }
+        // A highlight that a mistake hides is computed by the vector that the program shows.
+        let lighting = |(method, space): &(AnswerMethod, Space)| LightingMethod { model: method.model, space: *space };
+        if let Some(first) = found.first().map(lighting).filter(|first| first.model.has_exponent())
+            && !explanations.is_empty()
+            && let Some(half_vector) = self.shown(first)?.half_vector()
+        {
+            found.sort_by_key(|(method, _)| method.half_vector != half_vector);
         }
         found.truncate(MOST_VARIANTS);
         Ok(found)

@@ -146,9 +146,20 @@ impl Explainer<'_> {
                 let evident: Vec<&Hypothesis> =
                     candidate.wrong().filter(|single| candidate.is_evident(single)).collect();
                 for set in candidate.peculiarities(self.is_likely) {
+                    let makes_white = |both: &Hypothesis| {
+                        candidate.is_white(both, self.required) && !candidate.is_white(&set, self.required)
+                    };
                     let both = evident.iter().filter_map(|single| set.and(single));
                     found.extend(both.filter_map(|both| match is_white(seen) {
-                        true => candidate.explanation(seen, &both, self.required),
+                        // A white picture does not tell how strong the light is.
+                        true => {
+                            let drawn = candidate.explanation(seen, &both, self.required);
+                            let required = self.required.map(|is_required| [if is_required { 1.0 } else { 0.0 }; 3]);
+                            drawn.filter(|_| makes_white(&both)).map(|found| Explanation {
+                                strengths: std::array::from_fn(|term| found.strengths[term].and(Some(required[term]))),
+                                ..found
+                            })
+                        }
                         false => {
                             candidate.is_black(&both, self.required).then(|| candidate.explained(&both, [None; 3]))
                         }
@@ -219,30 +230,47 @@ impl Explainer<'_> {
         found: &mut Vec<Explanation>,
     ) -> Vec<Hypothesis> {
         let mut sets = Vec::new();
-        for set in candidate.peculiarities(self.is_likely) {
-            if found.iter().any(|known| known.peculiarities < set.mistakes.len()) {
+        let here: Vec<&Hypothesis> = candidate.wrong().filter(|single| candidate.which(single) == which).collect();
+        let all = candidate.peculiarities(self.is_likely);
+        // Sets of one size together: what they have in common is predicted once.
+        for of_size in all.chunk_by(|a, b| a.mistakes.len() == b.mistakes.len()) {
+            let size = of_size.first().map_or(0, |set| set.mistakes.len());
+            if found.iter().any(|known| known.peculiarities < size) {
                 break;
             }
-            let here = candidate.wrong().filter(|single| candidate.which(single) == which);
-            let both: Vec<Hypothesis> = here.filter_map(|single| set.and(single)).collect();
-            let cost = both.len() * candidate.few.cost();
-            if !self.budget.take(cost) {
+            let mut tried: Vec<(usize, Hypothesis)> = Vec::new();
+            let mut affordable = 0;
+            for (at, set) in of_size.iter().enumerate() {
+                let both: Vec<_> = here.iter().filter_map(|single| Some((at, set.and(single)?))).collect();
+                if !self.budget.take(both.len() * candidate.few.cost()) {
+                    break;
+                }
+                tried.extend(both);
+                affordable = at + 1;
+            }
+            let both: Vec<&Hypothesis> = tried.iter().map(|(_, both)| both).collect();
+            let mut least = vec![1.0_f32; affordable];
+            let mut left: Vec<&(usize, Hypothesis)> = Vec::new();
+            for (one, (share, may_be)) in tried.iter().zip(candidate.few.resemble(&both)) {
+                least[one.0] = least[one.0].min(share);
+                left.extend(may_be.then_some(one));
+            }
+            let both: Vec<&Hypothesis> = left.iter().map(|(_, both)| both).collect();
+            let mut coarse: Vec<(f32, &(usize, Hypothesis))> = Vec::new();
+            for (one, (share, may_be)) in left.into_iter().zip(candidate.coarse.resemble(&both)) {
+                coarse.extend(may_be.then_some((share, one)));
+            }
+            for (at, set) in of_size.iter().enumerate().take(affordable) {
+                let mut left: Vec<_> = coarse.iter().filter(|(_, (of, _))| *of == at).collect();
+                // A picture that is dark at all these places resembles those of most mistakes.
+                left.sort_by(|a, b| a.0.total_cmp(&b.0));
+                let drawn = left.into_iter().take(MOST_LIKE_ONE).take_while(|_| self.budget.take_drawn());
+                found.extend(drawn.filter_map(|(_, (_, one))| candidate.explanation(seen, one, self.required)));
+                sets.push((least[at], set.clone()));
+            }
+            if affordable < of_size.len() {
                 break;
             }
-            let all: Vec<&Hypothesis> = both.iter().collect();
-            let resemblance = candidate.few.resemble(&all);
-            let least = resemblance.iter().fold(1.0_f32, |least, (share, _)| least.min(*share));
-            let left: Vec<&Hypothesis> =
-                both.iter().zip(resemblance).filter(|(_, (_, may_be))| *may_be).map(|(one, _)| one).collect();
-            let may_be = candidate.coarse.resemble(&left);
-            let left: Vec<&Hypothesis> =
-                left.into_iter().zip(may_be).filter(|(_, (_, may_be))| *may_be).map(|(one, _)| one).collect();
-            // A picture that is dark at all these places resembles those of most mistakes.
-            if left.len() <= MOST_LIKE_ONE {
-                let drawn = left.into_iter().take_while(|_| self.budget.take_drawn());
-                found.extend(drawn.filter_map(|one| candidate.explanation(seen, one, self.required)));
-            }
-            sets.push((least, set));
         }
         sets.sort_by(|a, b| a.0.total_cmp(&b.0));
         sets.into_iter().map(|(_, set)| set).collect()

@@ -1,16 +1,19 @@
 //! Compares a picture with predictions at a few places, which exclude most hypotheses.
 
 use super::answer::Space;
-use super::prediction::{Planes, Predictor, Sum};
+use super::prediction::{Planes, Predicted, Predictor, Sum};
 use super::samples::SceneSamples;
-use super::target::{Fit, Seen, is_in_place, planes};
+use super::target::{Fit, Seen, SeenColours, is_in_place, planes};
 use super::values::Values;
 use crate::comparison::{Lights, Parameterisation};
 use crate::mistakes::{Hypothesis, ModelSolution};
 use crate::testbench::TestScene;
+use gonio_threads::prelude::*;
 
 /// Places of all hypotheses that are predicted together.
 const TOGETHER: usize = 16_384;
+/// Fewest hypotheses that a thread of its own is worth.
+const FEWEST_TOGETHER: usize = 64;
 /// Brightness that no 8-bit picture shows.
 pub(super) const DARKEST: f32 = 0.002;
 /// Brightness that pictures may have limited to 1.
@@ -73,7 +76,7 @@ fn telling(
 pub(super) struct AtFew {
     /// Predictions at these places.
     pub predictor: Predictor,
-    seen: Planes,
+    seen: SeenColours,
     /// The positions on the screen that are seen.
     pub clip: Values,
 }
@@ -98,7 +101,7 @@ impl AtFew {
         let clip = vertices.iter().flat_map(|vertex| seen.clip.at(first_vertex + vertex)).copied().collect();
         let scene = [(raw.clone(), some)];
         Ok(AtFew {
-            seen: colours.map(|plane| places.iter().map(|place| plane[first + place]).collect()),
+            seen: SeenColours::new(colours.map(|plane| places.iter().map(|place| plane[first + place]).collect())),
             clip: Values::new(4, clip),
             predictor: Predictor::new(whole.all.clone(), whole.lights, parameterisation, space, scene),
         })
@@ -112,21 +115,31 @@ impl AtFew {
     /// For each hypothesis, the share of these places that it draws otherwise, and whether it may be right.
     pub fn resemble(&self, hypotheses: &[&Hypothesis]) -> Vec<(f32, bool)> {
         let mut found = vec![(1.0_f32, false); hypotheses.len()];
+        // Several threads share what is predicted together.
+        let together = TOGETHER / self.predictor.places(0).max(1) / gonio_threads::current_num_threads();
         for sum in [Sum::Terms, Sum::Whole] {
             let have: Vec<usize> =
                 (0..hypotheses.len()).filter(|at| self.predictor.sums(hypotheses[*at]).contains(&sum)).collect();
-            for chunk in have.chunks((TOGETHER / self.predictor.places(0).max(1)).max(1)) {
+            let fitted = |chunk: &[usize]| -> Vec<(f32, bool)> {
                 let chosen: Vec<&Hypothesis> = chunk.iter().map(|at| hypotheses[*at]).collect();
-                for (at, predicted) in chunk.iter().zip(self.predictor.predict_each(0, &chosen, sum)) {
-                    let scenes = [&predicted];
-                    let fit = Fit::new(&self.seen, self.predictor.places(0), &scenes);
-                    let may_be = fit.is_right_at_few() && is_in_place(&self.clip, &scenes);
-                    let known = &mut found[*at];
-                    *known = (known.0.min(fit.share), known.1 || may_be);
-                }
+                let predicted = self.predictor.predict_each(0, &chosen, sum);
+                predicted.iter().map(|predicted| self.fitted(predicted)).collect()
+            };
+            let size = together.min(have.len().div_ceil(gonio_threads::current_num_threads())).max(FEWEST_TOGETHER);
+            let all: Vec<Vec<(f32, bool)>> = have.par_chunks(size).map(fitted).collect();
+            for (at, (share, may_be)) in have.iter().zip(all.into_iter().flatten()) {
+                let known = &mut found[*at];
+                *known = (known.0.min(share), known.1 || may_be);
             }
         }
         found
+    }
+
+    /// The share of places that a prediction draws otherwise, and whether it may be right.
+    fn fitted(&self, predicted: &Predicted) -> (f32, bool) {
+        let scenes = [predicted];
+        let fit = Fit::new(&self.seen, self.predictor.places(0), &scenes);
+        (fit.share, fit.is_right_at_few() && is_in_place(&self.clip, &scenes))
     }
 }
 

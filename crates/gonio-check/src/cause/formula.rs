@@ -59,11 +59,14 @@ pub(crate) struct Definitions {
 }
 
 /// Definitions that the model solutions do not write, where `V` is a direction.
-const OF_DIRECTIONS: [(&str, &str); 12] = [
+const OF_DIRECTIONS: [(&str, &str); 15] = [
     ("V", "normalize(to_eye)"),
     ("to_eye", "u_view_pos - world_position"),
     ("minus_L", "-L"),
     ("x", "dot(N, L)"),
+    ("x", "2.0 * dot(N, L)"),
+    ("x", "dot(N, L) * N"),
+    ("x", "2.0 * dot(N, L) * N"),
     ("x", "dot(N, V)"),
     ("x", "dot(N, H)"),
     ("x", "dot(R, V)"),

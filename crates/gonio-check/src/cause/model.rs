@@ -471,6 +471,14 @@ impl Model {
             push("-L", to_light.map(3, |_, a, to| to.iter_mut().zip(a).for_each(|(to, a)| *to = -a)));
             push("dot(N, L)", dot(&normal, &to_light));
             push("dot(N, V)", dot(&normal, &to_eye));
+            // The steps of the reflected direction's formula.
+            let cosine = dot(&normal, &to_light);
+            let along_normal = |factor: f32| {
+                normal.map(3, |p, a, to| to.iter_mut().zip(a).for_each(|(to, a)| *to = factor * cosine.at(p)[0] * a))
+            };
+            push("2.0 * dot(N, L)", cosine.map(1, |_, a, to| to[0] = 2.0 * a[0]));
+            push("dot(N, L) * N", along_normal(1.0));
+            push("2.0 * dot(N, L) * N", along_normal(2.0));
             let sum = to_light.map(3, |p, a, to| {
                 to.iter_mut().zip(a.iter().zip(to_eye.at(p))).for_each(|(to, (a, b))| *to = a + b);
             });

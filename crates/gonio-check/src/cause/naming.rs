@@ -7,6 +7,7 @@ use super::repair::{Make, Relation, Repair};
 use super::right_change::RightChange;
 use super::words;
 use crate::mistakes::{Mistake, ModelSolution};
+use crate::roles::{is_about, is_of_reflection};
 use gonio_glsl::{Span, Stage};
 use gonio_interpreter::ExprId;
 use gonio_language::tr;
@@ -111,7 +112,13 @@ fn is_term_for_sum(at: &Observer<'_>, seen: &Observed, repair: &Repair) -> bool 
         at.model.quantities.iter().filter(of_term).any(|term| seen.values.factor_of(&coloured(term)).is_some())
     };
     let is_term = seen.is.map_or_else(is_coloured, |is| TERMS.contains(&name(is)));
-    is_term && repair.quantity().is_some_and(is_sum)
+    let named = at.runner.program.named(seen.stage, seen.expr);
+    is_term && repair.quantity().is_some_and(is_sum) && !(named.is_some_and(is_of_no_term) && at.reads_a_term(seen))
+}
+
+/// Whether a name says nothing about a single term.
+pub(super) fn is_of_no_term(name: &str) -> bool {
+    !["ambient", "diffuse", "specular"].iter().any(|term| is_about(name, term))
 }
 
 /// The mistakes that a missing or superfluous factor or summand may be, in an expression that contains these terms: the
@@ -164,6 +171,18 @@ impl Observer<'_> {
         observed.iter().filter(is_within).flat_map(|other| self.terms(other)).collect()
     }
 
+    /// Whether an expression is computed from a variable that a term was put into.
+    fn reads_a_term(&self, seen: &Observed) -> bool {
+        let program = self.runner.program;
+        let (first, last) = self.tokens(seen);
+        let expressions = &program.stage(seen.stage).source.expressions;
+        program.numbers(seen.stage).into_iter().any(|expr| {
+            let tokens = expressions[expr.0 as usize].tokens;
+            let text = program.text(seen.stage, expr);
+            tokens.first >= first && tokens.last <= last && is_name(text) && !is_of_no_term(text)
+        })
+    }
+
     /// Whether an expression is the only one that reads a variable.
     fn is_only_read(&self, seen: &Observed) -> bool {
         let (program, name) = (self.runner.program, self.text(seen));
@@ -197,16 +216,16 @@ impl Observer<'_> {
             })
         };
         // A vector that should have length 1 may have any length until the last variable is set to it.
+        let is_of_length = |seen: &Observed, repair: &Repair| match repair.make {
+            Make::Unit => true,
+            Make::Quantity(q) => {
+                let right = &self.model.quantities[q].values;
+                seen.values.is_parallel(right, 1.0) && right.unit().is_same(right)
+            }
+            _ => false,
+        };
         let set_last = |seen: &Observed, repair: &Repair| {
-            let is_of_length = match repair.make {
-                Make::Unit => true,
-                Make::Quantity(q) => {
-                    let right = &self.model.quantities[q].values;
-                    seen.values.is_parallel(right, 1.0) && right.unit().is_same(right)
-                }
-                _ => false,
-            };
-            if !is_of_length {
+            if !is_of_length(seen, repair) {
                 return None;
             }
             let is_it = |other: &&Observed| {
@@ -216,6 +235,19 @@ impl Observer<'_> {
             };
             let all = proven.iter().map(|repair| &observed[repair.of]).filter(is_it);
             all.max_by_key(|other| self.tokens(other)).map(|last| last.expr)
+        };
+        // A right value that a variable of another meaning is set to: of two opposite vectors, the name tells the meaning.
+        let is_copied = |seen: &Observed| {
+            let (program, text) = (self.runner.program, self.text(seen));
+            let Some(variable) = program.variable_set_to(seen.stage, seen.expr) else { return false };
+            let is_opposite =
+                text.strip_prefix('-').is_some_and(|text| is_name(text.trim_start())) && is_of_reflection(variable);
+            let is_read = |repair: &Repair| {
+                let other = &observed[repair.of];
+                let is_other = self.text(other) != text && is_name(self.text(other));
+                other.stage == seen.stage && is_other && other.values.is_same(&seen.values)
+            };
+            (is_name(text) || is_opposite) && proven.iter().any(is_read)
         };
         // A varying is wrong where the vertex shader computes it.
         let is_of_vertex = |seen: &Observed, repair: &Repair| {
@@ -244,9 +276,14 @@ impl Observer<'_> {
             let is_of_kind = repair.quantity().is_none_or(|q| {
                 let right = &self.model.quantities[q].values;
                 let is_vector = seen.values.is_parallel(right, 1.0) || seen.values.is_parallel(right, -1.0);
-                is_vector || seen.values.is_clamped(right) || right.is_power_of(&seen.values)
+                // A matrix is missing where the position on the screen is computed.
+                let is_position = self.model.quantities[q].name == "gl_Position";
+                is_vector || is_position || seen.values.is_clamped(right) || right.is_power_of(&seen.values)
             });
             let is_use = seen.is_given() && !is_of_kind && !of_constant;
+            if is_use && is_copied(seen) {
+                return false;
+            }
             is_use != is_name
                 && proven.iter().map(|repair| &observed[repair.of]).any(|other| {
                     other.expr != seen.expr
@@ -296,7 +333,7 @@ impl Observer<'_> {
             let is_right_elsewhere = is_term_for_sum(self, seen, &repair);
             let right = vec![RightChange::new(&repair, observed, self.model)];
             // A vector that is the last to be set without its length is where that belongs.
-            let is_only_read = self.is_only_read(seen) && set_last(seen, &repair) != Some(seen.expr);
+            let is_only_read = self.is_only_read(seen) && !self.runner.program.is_whole_value(seen.stage, seen.expr);
             let Repair { relation, make, cost, .. } = repair;
             let least = names.first().map_or(0, |(distance, _)| *distance);
             all.push(ProvenCause {
@@ -342,15 +379,25 @@ impl Observer<'_> {
             })
             .map(|cause| (cause.stage, cause.expr))
             .collect();
-        // A right value that a variable of another meaning is set to.
-        let is_copied = |cause: &ProvenCause| {
-            let is_set = self.runner.program.is_whole_value(cause.stage, cause.expr) && is_name(&cause.text);
-            let is_read = |repair: &Repair| {
-                let seen = &observed[repair.of];
-                let is_other = self.text(seen) != cause.text && is_name(self.text(seen));
-                seen.stage == cause.stage && is_other && seen.values.is_same(&observed[cause.repair.of].values)
-            };
-            is_set && proven.iter().any(is_read)
+        // A factor is missing where the other terms get it.
+        let with_factor: Vec<(Stage, usize)> = (all.iter())
+            .filter(|cause| !cause.is_given && cause.is_explained && cause.distance == 0)
+            .flat_map(|cause| {
+                let of_factor = |q: &usize| {
+                    let quantity = &self.model.quantities[*q];
+                    let (first, last) = self.tokens(&observed[cause.repair.of]);
+                    observed.iter().any(|other| {
+                        let within = self.tokens(other);
+                        let is_inside = other.stage == cause.stage && within.0 >= first && within.1 <= last;
+                        is_inside && is_name(self.text(other)) && other.is == Some(*q) && quantity.stage == cause.stage
+                    })
+                };
+                (0..self.model.quantities.len()).filter(of_factor).map(|q| (cause.stage, q)).collect::<Vec<_>>()
+            })
+            .collect();
+        let is_factor_of_later = |cause: &ProvenCause| match cause.make {
+            Make::Times(q) => with_factor.contains(&(cause.stage, q)),
+            _ => false,
         };
         let rank = |cause: &ProvenCause| {
             let is_within = |(stage, span): &(Stage, Span)| {
@@ -360,13 +407,16 @@ impl Observer<'_> {
             let name = (cause.mistakes.is_empty(), cause.distance.min(2), cause.relation);
             // A part of an expression that is the mistake itself, or a number within a formula.
             let is_number = cause.text.starts_with(|c: char| c.is_ascii_digit() || c == '.');
-            let is_part = cause.distance > 0 && wrong.iter().any(is_within)
-                || is_number && !self.runner.program.is_set_or_returned(cause.stage, cause.expr);
+            let is_part = cause.distance > 0 && (wrong.iter().any(is_within) || is_factor_of_later(cause))
+                || is_number && !self.runner.program.is_set_in_vector_or_alone(cause.stage, cause.expr);
             let is_after = earlier.iter().any(|wrong| *wrong < (cause.stage, cause.expr));
             let is_of_length =
                 cause.relation == Relation::Length && self.runner.program.is_whole_value(cause.stage, cause.expr);
+            // A product with 1 has the value of an input, and is none.
+            let is_product = observed[cause.repair.of].values.is_constant() && !is_name(&cause.text) && !is_number;
             let is_use = !is_of_length
-                && !is_copied(cause)
+                && !is_product
+                && !is_copied(&observed[cause.repair.of])
                 && cause.is_given
                 && (cause.distance > 0 || is_after || wrong.iter().any(is_within));
             (

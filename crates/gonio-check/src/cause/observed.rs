@@ -268,9 +268,15 @@ impl Observer<'_> {
         self.model.quantities.iter().filter(of_term).filter(is_it).map(|q| q.name.as_str()).collect()
     }
 
+    /// Whether it is a number, or computed from numbers alone: `1.0 / 2.2`.
     pub(super) fn is_literal(&self, seen: &Observed) -> bool {
         let text = self.text(seen);
-        text.starts_with(|c: char| c.is_ascii_digit() || c == '.') && text.parse::<f32>().is_ok()
+        let is_formula = || {
+            let is_of_number = |c: char| c.is_ascii_digit() || " .+-*/()fF".contains(c);
+            text.starts_with(|c: char| c.is_ascii_digit() || "-.(".contains(c)) && text.chars().all(is_of_number)
+        };
+        is_formula()
+            || text.starts_with(|c: char| c.is_ascii_digit() || c == '.') && text.parse::<f32>().is_ok()
             || text.strip_suffix(['f', 'F']).is_some_and(|number| number.parse::<f32>().is_ok())
     }
 

@@ -3,6 +3,7 @@
 
 use super::explanation::{Explanation, strengthen};
 use super::model::Space;
+use super::naming::is_of_no_term;
 use super::observed::{SCALED, is_assignment, is_name};
 use super::program::{Program, Runner};
 use super::recording::{Recorded, STAGES, TELLING, observe};
@@ -39,6 +40,10 @@ pub struct MistakePlace {
     pub is_direct: bool,
     /// Whether the expression computes the value or sets a variable to it, and does not only read it.
     pub is_computed: bool,
+    /// Whether a variable is set to the value of another one.
+    pub is_copy: bool,
+    /// Whether the value is a right one of another quantity, or the opposite of one.
+    pub is_given: bool,
     /// Whether the mistake is made in the sum of all terms, and in no other.
     pub is_sum: bool,
 }
@@ -147,7 +152,12 @@ pub(super) fn places(
             false => of_direct().or_else(of_after),
         });
         if let Some((seen, is_direct)) = place {
-            found.push(MistakePlace { is_sum, ..place_at(program, mistake, seen, is_direct) });
+            let is_given = !seen.values.is_constant()
+                && right.iter().any(|(_, of)| {
+                    of.stage == seen.stage
+                        && (of.values.is_same(&seen.values) || of.values.is_scaled(&seen.values, -1.0))
+                });
+            found.push(MistakePlace { is_sum, is_given, ..place_at(program, mistake, seen, is_direct) });
         }
     }
     Ok(found)
@@ -197,13 +207,16 @@ fn of_lights(
 }
 
 fn place_at(program: &Program, mistake: &'static Mistake, seen: &Recorded, is_direct: bool) -> MistakePlace {
-    let is_computed = !is_name(program.text(seen.stage, seen.expr)) || program.is_whole_value(seen.stage, seen.expr);
+    let is_read = is_name(program.text(seen.stage, seen.expr));
+    let is_whole = program.is_whole_value(seen.stage, seen.expr);
     MistakePlace {
         mistake,
         stage: seen.stage,
         span: expression(program, seen).span,
         is_direct,
-        is_computed,
+        is_computed: !is_read || is_whole,
+        is_copy: is_read && is_whole,
+        is_given: false,
         is_sum: false,
     }
 }
@@ -241,20 +254,27 @@ fn first_with<'a>(program: &Program, observed: &'a [Recorded], name: &str, of: &
     let same = all.iter().copied().filter(|seen| seen.values.is_same(&of.values));
     let computed = all.iter().copied().filter(|seen| !is_name(program.text(seen.stage, seen.expr)));
     let last = || computed.max_by_key(|seen| seen.order).or_else(|| all.iter().copied().min_by_key(|seen| seen.order));
-    same.min_by_key(|seen| seen.order).or_else(last)
+    // To read a variable is no mistake, to set another one to it may be.
+    let is_read = |seen: &Recorded| {
+        is_name(program.text(seen.stage, seen.expr)) && !program.is_whole_value(seen.stage, seen.expr)
+    };
+    same.min_by_key(|seen| (is_read(seen), seen.order)).or_else(last)
 }
 
 /// The first expression that computes a constant, or the first number that a variable is set to.
 fn first_constant<'a>(program: &Program, observed: &'a [Recorded], of: &Recorded) -> Option<&'a Recorded> {
+    let grey = of.values.grey();
     let is_it = |seen: &&Recorded| {
         let text = program.text(seen.stage, seen.expr);
         let is_computed = text.contains('(') || program.is_set_or_returned(seen.stage, seen.expr) && !is_name(text);
-        seen.stage == of.stage && is_computed && seen.values.is_constant() && seen.values.is_same(&of.values)
+        let is_same = || seen.values.is_same(&of.values) || grey.as_ref().is_some_and(|grey| seen.values.is_same(grey));
+        seen.stage == of.stage && is_computed && seen.values.is_constant() && is_same()
     };
     observed.iter().filter(is_it).min_by_key(|seen| seen.order)
 }
 
-/// The last expression that computes what is put out; the first if `is_last` is false.
+/// The last expression that computes what is put out; the first if `is_last` is false. What a variable that is not a term is set
+/// to comes before what only passes it on.
 fn output_with<'a>(
     program: &Program,
     observed: &'a [Recorded],
@@ -266,8 +286,15 @@ fn output_with<'a>(
         !is_name(program.text(seen.stage, seen.expr)) && outputs.iter().any(|(name, of)| has(seen, name, of))
     };
     let all = observed.iter().filter(is_it);
+    let is_of_sum = |seen: &&Recorded| {
+        let named = program.named(seen.stage, seen.expr);
+        named.is_some_and(|name| is_of_no_term(name) && !program.is_output(seen.stage, name))
+    };
     match is_last {
-        true => all.max_by_key(|seen| (seen.stage, expression(program, seen).tokens.first)),
+        true => {
+            let last = |seen: &&Recorded| (seen.stage, expression(program, seen).tokens.first);
+            all.clone().filter(is_of_sum).max_by_key(last).or_else(|| all.max_by_key(last))
+        }
         false => all.min_by_key(|seen| seen.order),
     }
 }

@@ -10,9 +10,8 @@ use crate::mistakes::Hypothesis;
 use crate::testbench::TestScene;
 use gonio_glsl::Stage;
 use gonio_interpreter::{Fragment, InputRate, PointValues, StageInputs, interpolate};
-use std::cell::RefCell;
 use std::collections::{HashMap, HashSet};
-use std::rc::Rc;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// The terms that are lit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -33,7 +32,7 @@ struct LitInputs {
     vertex: StageInputs,
     uniforms: Vec<(usize, PointValues)>,
     /// The inputs of the fragment shader, by the choices in the vertex shader.
-    vertices: RefCell<HashMap<Vec<i32>, Rc<OfVertices>>>,
+    vertices: Mutex<HashMap<Vec<i32>, Arc<OfVertices>>>,
 }
 
 /// The results of the vertex shader with some choices.
@@ -51,13 +50,13 @@ struct SceneModel {
     /// matrices.
     in_world: Option<StageInputs>,
     /// The positions with them, by the choices on which they depend.
-    positions: RefCell<HashMap<Vec<i32>, Vec<[f32; 4]>>>,
+    positions: Mutex<HashMap<Vec<i32>, Vec<[f32; 4]>>>,
 }
 
 /// Predicts pictures for one program: with its parameterisation, in its test scenes.
 pub(crate) struct Predictor {
     /// The model solution.
-    pub all: Rc<AllHypotheses>,
+    pub all: Arc<AllHypotheses>,
     /// The lights.
     pub lights: Lights,
     /// Whether the ambient light may have a colour of its own.
@@ -93,11 +92,16 @@ pub(crate) struct Predicted {
 /// Most variants of the vertex shader that are kept.
 const MOST_KEPT: usize = 1_000;
 
+/// What threads share: kept results, which are whole whatever happens.
+fn locked<T>(kept: &Mutex<T>) -> MutexGuard<'_, T> {
+    kept.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
 impl Predictor {
     /// Prepares predictions in test scenes, at places on their surfaces.
     #[must_use]
     pub fn new(
-        all: Rc<AllHypotheses>,
+        all: Arc<AllHypotheses>,
         lights: Lights,
         parameterisation: &Parameterisation,
         space: Space,
@@ -129,7 +133,7 @@ impl Predictor {
             let is_uniform = |input: &usize| fragment.inputs[*input].rate == InputRate::Uniform;
             let uniforms = (0..fragment.inputs.len()).filter(is_uniform);
             let uniforms = uniforms.filter_map(|input| Some((input, of_fragment.values(input)?.clone()))).collect();
-            LitInputs { lit, is_changed, vertex, uniforms, vertices: RefCell::default() }
+            LitInputs { lit, is_changed, vertex, uniforms, vertices: Mutex::default() }
         };
         let scenes = scenes.into_iter().map(|(scene, samples)| {
             let lit = std::iter::once(Lit::Known).chain(open.iter().map(|term| Lit::Term(*term)));
@@ -138,7 +142,7 @@ impl Predictor {
                 lit.flat_map(|lit| lights.each().iter().map(move |(light, is_changed)| (lit, *light, *is_changed)));
             let lit = lit.map(|(lit, light, changed)| lit_inputs(&scene, &samples, lit, light, changed)).collect();
             let in_world = (space == Space::View).then(|| all.program.vertex_inputs(&samples));
-            SceneModel { samples, lit, in_world, positions: RefCell::default() }
+            SceneModel { samples, lit, in_world, positions: Mutex::default() }
         });
         let scenes = scenes.collect();
         Predictor { all, lights, has_own_ambient: parameterisation.own_ambient, open, scenes }
@@ -173,13 +177,19 @@ impl Predictor {
     }
 
     /// Runs the vertex shader with each of several choices, all together.
-    fn of_vertices(&self, scene: &SceneModel, lit: &LitInputs, choices: &[Vec<i32>]) -> Vec<Rc<OfVertices>> {
+    fn of_vertices(&self, scene: &SceneModel, lit: &LitInputs, choices: &[Vec<i32>]) -> Vec<Arc<OfVertices>> {
         let program = &self.all.program;
+        let mut found: HashMap<&[i32], Arc<OfVertices>> = HashMap::new();
         let mut new: Vec<Vec<i32>> = Vec::new();
-        let mut known: HashSet<&[i32]> = HashSet::new();
-        for choices in choices {
-            if !lit.vertices.borrow().contains_key(choices) && known.insert(choices) {
-                new.push(choices.clone());
+        {
+            let kept = locked(&lit.vertices);
+            let mut missing: HashSet<&[i32]> = HashSet::new();
+            for choices in choices {
+                match kept.get(choices) {
+                    Some(known) => drop(found.insert(choices, Arc::clone(known))),
+                    None if missing.insert(choices) => new.push(choices.clone()),
+                    None => {}
+                }
             }
         }
         if !new.is_empty() {
@@ -195,11 +205,8 @@ impl Predictor {
                 (0..new.len()).flat_map(|copy| places.iter().map(move |place| shifted(place, copy))).collect();
             let fragment = interpolate(&program.vertex, &outputs, &program.fragment, &all);
             let position = program.vertex.output("gl_Position").and_then(|at| outputs.get(at));
-            let mut kept = lit.vertices.borrow_mut();
-            if kept.len() > MOST_KEPT {
-                kept.clear();
-            }
-            for (copy, choices) in new.iter().enumerate() {
+            let mut made = Vec::with_capacity(new.len());
+            for copy in 0..new.len() {
                 let clip = clip_positions(position, copy * points..(copy + 1) * points);
                 let range = copy * places.len()..(copy + 1) * places.len();
                 let varyings = (0..program.fragment.inputs.len()).filter_map(|input| match fragment.values(input)? {
@@ -209,11 +216,18 @@ impl Predictor {
                     PointValues::Same(_) => None,
                 });
                 let varyings = varyings.collect();
-                kept.insert(choices.clone(), Rc::new(OfVertices { clip, varyings }));
+                made.push(Arc::new(OfVertices { clip, varyings }));
+            }
+            let mut kept = locked(&lit.vertices);
+            if kept.len() > MOST_KEPT {
+                kept.clear();
+            }
+            for (choices, made) in new.iter().zip(made) {
+                found.insert(choices, Arc::clone(&made));
+                kept.insert(choices.clone(), made);
             }
         }
-        let kept = lit.vertices.borrow();
-        choices.iter().filter_map(|choices| kept.get(choices).cloned()).collect()
+        choices.iter().filter_map(|choices| found.get(choices.as_slice()).cloned()).collect()
     }
 
     /// `gl_Position` at each vertex with some choices in the vertex shader.
@@ -221,8 +235,7 @@ impl Predictor {
         let Some(in_world) = &scene.in_world else { return of_light.clip.clone() };
         let mut only: Vec<i32> = vec![0; choices.len()];
         self.all.of_position.iter().for_each(|at| only[*at] = choices[*at]);
-        let mut known = scene.positions.borrow_mut();
-        if let Some(known) = known.get(&only) {
+        if let Some(known) = locked(&scene.positions).get(&only) {
             return known.clone();
         }
         let stage = &self.all.program.vertex;
@@ -231,7 +244,7 @@ impl Predictor {
         self.all.choose(Stage::Vertex, &[&only], points, &mut inputs);
         let result = run_in_scene(stage, &inputs);
         let new = clip_positions(result.output(stage, "gl_Position"), 0..points);
-        known.insert(only, new.clone());
+        locked(&scene.positions).insert(only, new.clone());
         new
     }
 

@@ -12,7 +12,7 @@ use gonio_interpreter::{
     CompiledStage, ExprId, InputRate, PointValues, RunOptions, StageInput, StageInputs, StageRun, Substitute,
     TextureLookup, TextureSource, Unsupported, interpolate, run,
 };
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// A pair of shaders that the interpreter can run.
 #[derive(Clone, Debug)]
@@ -121,12 +121,58 @@ impl Program {
         is_set && after.is_some_and(|text| text.trim_start().starts_with([';', ',']))
     }
 
+    /// The name of the variable that is set to an expression and to nothing else.
+    #[must_use]
+    pub fn variable_set_to(&self, stage: Stage, expr: ExprId) -> Option<&str> {
+        let span = self.stage(stage).source.expression(expr).filter(|_| self.is_whole_value(stage, expr))?.span;
+        let before = self.texts[stage as usize].get(..span.start as usize)?.trim_end().strip_suffix('=')?.trim_end();
+        let is_of_name = |c: char| c.is_alphanumeric() || c == '_';
+        let start = before
+            .rfind(|c: char| !is_of_name(c))
+            .map_or(0, |at| at + before[at..].chars().next().map_or(1, char::len_utf8));
+        Some(&before[start..]).filter(|name| !name.is_empty())
+    }
+
+    /// The name that a value gets: that of the variable that is set to it, or of the function that returns it.
+    #[must_use]
+    pub fn named(&self, stage: Stage, expr: ExprId) -> Option<&str> {
+        self.variable_set_to(stage, expr).or_else(|| {
+            let function = self.stage(stage).source.expression(expr)?.function.as_deref();
+            function.filter(|name| *name != "main" && self.is_set_or_returned(stage, expr))
+        })
+    }
+
+    /// Whether an expression is all that a variable is set to or that a function returns, perhaps as each component of a
+    /// vector: `vec3(1.0)`.
+    #[must_use]
+    pub fn is_set_in_vector_or_alone(&self, stage: Stage, expr: ExprId) -> bool {
+        let source = &self.stage(stage).source;
+        let Some(tokens) = source.expression(expr).map(|expr| expr.tokens) else { return false };
+        // `vec3`, `(` and `)` around it.
+        let is_vector = |other: &ExprId| {
+            let around = source.expressions[other.0 as usize].tokens;
+            around.first + 2 == tokens.first && around.last == tokens.last + 1
+        };
+        self.is_set_or_returned(stage, expr)
+            || self
+                .numbers(stage)
+                .iter()
+                .filter(|other| is_vector(other))
+                .any(|other| self.text(stage, *other).starts_with("vec") && self.is_set_or_returned(stage, *other))
+    }
+
     /// Whether an expression is all that a variable is set to, or that a function returns.
     #[must_use]
     pub fn is_set_or_returned(&self, stage: Stage, expr: ExprId) -> bool {
         let Some(span) = self.stage(stage).source.expression(expr).map(|expr| expr.span) else { return false };
         let before = self.texts[stage as usize].get(..span.start as usize).unwrap_or_default().trim_end();
         self.is_whole_value(stage, expr) || before.ends_with("return")
+    }
+
+    /// Whether a text is the name of an output.
+    #[must_use]
+    pub fn is_output(&self, stage: Stage, text: &str) -> bool {
+        self.stage(stage).outputs.iter().any(|output| output.name == text)
     }
 
     /// The output of the fragment shader that is the colour.
@@ -257,14 +303,14 @@ pub(crate) struct Change {
 #[derive(Clone, Debug)]
 pub(crate) struct SceneResult {
     /// The vertex shader's run.
-    pub vertex: Rc<StageRun>,
+    pub vertex: Arc<StageRun>,
     /// The fragment shader's run.
     pub fragment: StageRun,
 }
 
 struct SceneStart {
     inputs: StageInputs,
-    vertex: Rc<StageRun>,
+    vertex: Arc<StageRun>,
     fragment_inputs: StageInputs,
 }
 
@@ -289,7 +335,7 @@ impl<'a> Runner<'a> {
             let inputs = program.vertex_inputs(samples);
             let vertex = run(&program.vertex, &inputs, &options(&[], &[]));
             let fragment_inputs = fragment_inputs(program, samples, &vertex);
-            SceneStart { inputs, vertex: Rc::new(vertex), fragment_inputs }
+            SceneStart { inputs, vertex: Arc::new(vertex), fragment_inputs }
         };
         Runner { program, samples, starts: samples.iter().map(start).collect() }
     }
@@ -320,8 +366,8 @@ impl<'a> Runner<'a> {
         let [in_vertex, in_fragment] = [Stage::Vertex, Stage::Fragment].map(substitutes);
         let is_unchanged = in_vertex.is_empty() && watched[0].is_empty();
         let vertex = match is_unchanged {
-            true => Rc::clone(&start.vertex),
-            false => Rc::new(run(&self.program.vertex, &start.inputs, &options(watched[0], &in_vertex))),
+            true => Arc::clone(&start.vertex),
+            false => Arc::new(run(&self.program.vertex, &start.inputs, &options(watched[0], &in_vertex))),
         };
         let own;
         let inputs = if in_vertex.is_empty() {

@@ -204,11 +204,12 @@ impl Observer<'_> {
             if size == 1 {
                 push(Relation::Clamp, "max(0)".to_owned(), Make::NotNegative, 0.5);
             }
-            if size == 3 || size == 4 {
+            // The curve is a power, and what is computed from it later.
+            if (size == 3 || size == 4) && self.text(seen).contains("pow") {
                 push(Relation::Factor, "linear".to_owned(), Make::Linear, 0.0);
             }
             if size == 1 || size == 3 {
-                self.scaled(seen, &mut push);
+                self.scaled(observed, seen, &mut push);
                 // A term that is computed but not added.
                 for (index, other) in observed.iter().enumerate() {
                     if other.stage != seen.stage || other.values.size > size {
@@ -231,7 +232,7 @@ impl Observer<'_> {
     }
 
     /// Products and quotients with scalars and colours of the equation.
-    fn scaled(&self, seen: &Observed, push: &mut impl FnMut(Relation, String, Make, f32)) {
+    fn scaled(&self, observed: &[Observed], seen: &Observed, push: &mut impl FnMut(Relation, String, Make, f32)) {
         const FACTORS: [&str; 11] = [
             "attenuation",
             "materialColour",
@@ -257,7 +258,15 @@ impl Observer<'_> {
             }
             let unusual = if ["cos_theta", "spec", "shininess", "d"].contains(&name) { 2.0 } else { 0.0 };
             push(Relation::Factor, format!("* {name}"), Make::Times(index), unusual);
-            push(Relation::Factor, format!("/ {name}"), Make::Over(index), unusual + 0.2);
+            // A superfluous factor is part of the expression.
+            let (first, last) = self.tokens(seen);
+            let is_part = |other: &&Observed| {
+                let within = self.tokens(other);
+                other.stage == seen.stage && within.0 >= first && within.1 <= last && within != (first, last)
+            };
+            if observed.iter().filter(is_part).any(|part| part.values.is_same(&quantity.values)) {
+                push(Relation::Factor, format!("/ {name}"), Make::Over(index), unusual + 0.2);
+            }
         }
     }
 }

@@ -12,6 +12,9 @@ use super::values::Values;
 use crate::mistakes::Mistake;
 use gonio_glsl::Stage;
 use gonio_interpreter::PointValues;
+use gonio_threads::HAS_THREADS;
+use gonio_threads::prelude::*;
+use std::ops::Range;
 
 /// The result of a search.
 #[derive(Clone, Debug)]
@@ -38,8 +41,16 @@ const MOST_RUNS_OF_SECOND: usize = 400;
 const MOST_FIRSTS: usize = 16;
 /// Most pictures with a first cause repaired that are explained by mistakes.
 const MOST_EXPLAINED: usize = 6;
+/// The quantity that is the position on the screen.
+const POSITION: &str = "gl_Position";
+/// Most repairs of the position on the screen that are tried, and that are kept.
+const MOST_OF_POSITION: usize = 12;
+const MOST_FIRST_POSITIONS: usize = 2;
 /// Most repairs whose gain is measured.
 const MOST_MEASURED: usize = 240;
+/// Repairs that are tried in parallel.
+const TRIED_AT_ONCE: usize = 8;
+
 impl Found {
     /// Ranks results of several methods: 0 is best.
     #[must_use]
@@ -60,6 +71,14 @@ impl Found {
     fn depth(&self) -> u32 {
         match self {
             Found::Causes(groups) => groups.iter().flatten().map(|cause| cause.depth).min().unwrap_or(u32::MAX),
+            _ => u32::MAX,
+        }
+    }
+
+    /// How far the best causes are from the program's inputs.
+    pub(super) fn depth_of_firsts(&self) -> u32 {
+        match self {
+            Found::Causes(groups) => groups.iter().filter_map(|group| group.first()).map(|cause| cause.depth).sum(),
             _ => u32::MAX,
         }
     }
@@ -122,19 +141,23 @@ impl<'a> Search<'a> {
         self.runs
     }
 
-    fn judge(&mut self, changes: &[Change]) -> Option<Agreement> {
-        let first = self.see(changes, 0..1)?;
-        // Open strengths fit one scene more easily than all, so this only excludes.
-        self.target.agrees(&first)?;
-        let all = self.see(changes, 0..self.at.runner.samples.len())?;
-        self.target.agrees(&all)
+    fn is_right(&mut self, changes: &[Change]) -> bool {
+        let trial = Trial::of_picture(self.at.runner, self.target, changes);
+        self.count(&trial)
     }
 
-    fn see(&mut self, changes: &[Change], scenes: std::ops::Range<usize>) -> Option<Seen> {
-        self.runs += scenes.len();
-        let seen = see(self.at.runner, changes, scenes)?;
-        self.statements += seen.statements;
-        Some(seen)
+    fn see(&mut self, changes: &[Change], scenes: Range<usize>) -> Option<Seen> {
+        let (seen, runs) = (see(self.at.runner, changes, scenes.clone()), scenes.len());
+        self.runs += runs;
+        self.statements += seen.as_ref().map_or(0, |seen| seen.statements);
+        seen
+    }
+
+    /// Counts the work of a trial, and returns its result.
+    fn count(&mut self, trial: &Trial) -> bool {
+        self.runs += trial.runs;
+        self.statements += trial.statements;
+        trial.is_positive
     }
 
     /// Runs the search with some repairs.
@@ -178,8 +201,9 @@ impl<'a> Search<'a> {
         (most, end): (usize, usize),
     ) -> Vec<ProvenCause> {
         let repairs = self.at.repairs(observed);
+        // A gamma curve is one repair at each colour, whatever else the colours are.
         let (mut known, others): (Vec<Repair>, Vec<Repair>) =
-            repairs.into_iter().partition(|repair| repair.relation == Relation::Known);
+            repairs.into_iter().partition(|repair| repair.relation == Relation::Known || repair.make == Make::Linear);
         // The earliest tell most, and the runs may not be enough for all.
         known.sort_by_key(|repair| observed[repair.of].depth);
         let end = (self.runs + most).min(end);
@@ -221,7 +245,7 @@ impl<'a> Search<'a> {
             let all: Vec<&Repair> = known[at..].iter().filter(is_same).collect();
             let changes: Option<Vec<Change>> = all.iter().map(|one| one.change(observed, self.at.model)).collect();
             let Some(changes) = changes.filter(|changes| changes.len() > 1) else { continue };
-            if self.judge(&changes).is_none() {
+            if !self.is_right(&changes) {
                 continue;
             }
             let mut found = self.at.causes(&changes[1..], observed, std::slice::from_ref(first), explaining);
@@ -238,7 +262,7 @@ impl<'a> Search<'a> {
     fn pair(&mut self, observed: &[Observed], explaining: &[&'static Mistake]) -> Option<Found> {
         let all = 0..self.at.runner.samples.len();
         let is_explained = !explaining.is_empty();
-        let firsts = if is_explained { self.known(observed) } else { self.gainful(observed) };
+        let firsts = if is_explained { self.known(observed) } else { self.likely_firsts(observed) };
         let end = self.runs + MOST_RUNS_OF_PAIR;
         let mut best: Option<Found> = None;
         for first in firsts.iter().take(MOST_FIRSTS) {
@@ -322,7 +346,7 @@ impl<'a> Search<'a> {
         let mut observed = self.at.observe(&[], all.clone());
         self.at.interpret(&mut observed);
         let mut tried: Vec<Values> = Vec::new();
-        for first in self.gainful(&observed) {
+        for first in self.likely_firsts(&observed) {
             if tried.len() >= MOST_EXPLAINED {
                 break;
             }
@@ -365,6 +389,46 @@ impl<'a> Search<'a> {
         known
     }
 
+    /// Repairs that may be the first of two. Positions on the screen are apart from the light: where both are wrong, those
+    /// that put everything in its place come first.
+    fn likely_firsts(&mut self, observed: &[Observed]) -> Vec<Repair> {
+        let mut firsts = self.of_position(observed);
+        firsts.extend(self.gainful(observed));
+        firsts
+    }
+
+    /// The repairs of the position on the screen with which everything is in its place, if not all is and the colours are
+    /// wrong too.
+    fn of_position(&mut self, observed: &[Observed]) -> Vec<Repair> {
+        let scenes = self.at.runner.samples.len();
+        let points = |at: Observer<'_>, stage, scene| {
+            at.runner.first_point(stage, scene)..at.runner.first_point(stage, scene + 1)
+        };
+        let wrong = |search: &Self, seen: &Seen, scene: usize| {
+            let [places, vertices] = [Stage::Fragment, Stage::Vertex].map(|stage| points(search.at, stage, scene));
+            search.target.wrong_in(scene, seen, places, vertices)
+        };
+        let Some(before) = self.see(&[], self.telling..self.telling + 1) else { return Vec::new() };
+        if wrong(self, &before, self.telling) != [true; 2] {
+            return Vec::new();
+        }
+        let mut repairs = self.at.repairs(observed);
+        repairs.retain(|repair| repair.quantity().is_some_and(|q| self.at.model.quantities[q].name == POSITION));
+        repairs.sort_by_key(|repair| observed[repair.of].depth);
+        let mut found = Vec::new();
+        for repair in repairs.into_iter().take(MOST_OF_POSITION) {
+            let Some(change) = repair.change(observed, self.at.model) else { continue };
+            let Some(seen) = self.see(&[change], 0..scenes) else { continue };
+            if (0..scenes).all(|scene| !wrong(self, &seen, scene)[1]) {
+                found.push(repair);
+                if found.len() == MOST_FIRST_POSITIONS {
+                    break;
+                }
+            }
+        }
+        found
+    }
+
     /// Repairs of values that are computed from right ones, those first with which most other values become right.
     fn gainful(&mut self, observed: &[Observed]) -> Vec<Repair> {
         // The first scene tells enough.
@@ -390,40 +454,145 @@ impl<'a> Search<'a> {
     }
 
     /// The repairs that make the picture right, until a number of runs.
+    ///
+    /// Repairs are tried on all cores, some of them in vain; their results count as if each had waited for the one before.
     fn proven(&mut self, base: &[Change], observed: &[Observed], repairs: &[Repair], end: usize) -> Vec<Repair> {
-        let mut influential: Vec<Option<bool>> = vec![None; observed.len()];
         let mut proven = Vec::new();
-        let telling = self.telling;
-        let Some(before) = self.see(base, telling..telling + 1) else { return proven };
+        let Some(mut influence) = Influence::new(self, base, observed.len()) else { return proven };
         let mut dearest = f32::INFINITY;
-        for repair in repairs {
-            if self.runs > end || self.statements > MOST_STATEMENTS * self.most_runs() as u64 || repair.cost > dearest {
-                break;
-            }
-            let Some(change) = repair.change(observed, self.at.model) else { continue };
-            if influential[repair.of].is_none() {
-                let mut noise = change.clone();
-                noise.values = noise.values.map(noise.values.size, |p, _, b| b.fill(p as f32 * 0.37 + 1.5));
+        for batch in repairs.chunks(if HAS_THREADS { TRIED_AT_ONCE } else { 1 }) {
+            let cheap = batch.iter().take_while(|repair| repair.cost <= dearest);
+            let change = |repair| Repair::change(repair, observed, self.at.model);
+            let changes: Vec<(&Repair, Option<Change>)> = cheap.map(|repair| (repair, change(repair))).collect();
+            influence.try_all(self.at.runner, &changes);
+            let (runner, target) = (self.at.runner, self.target);
+            let trial = |(repair, change): &(&Repair, Option<Change>)| {
+                let change = change.clone().filter(|_| influence.is_in_picture(repair.of))?;
                 let mut changes = base.to_vec();
-                changes.push(noise);
-                let after = self.see(&changes, telling..telling + 1);
-                let is_changed = after
-                    .is_none_or(|after| !after.colour.is_same(&before.colour) || !after.clip.is_same(&before.clip));
-                influential[repair.of] = Some(is_changed);
-            }
-            if influential[repair.of] != Some(true) {
-                continue;
-            }
-            let mut changes = base.to_vec();
-            changes.push(change);
-            if self.judge(&changes).is_some() {
-                if repair.relation != Relation::Known {
-                    dearest = dearest.min(repair.cost + 2.5);
+                changes.push(change);
+                Some(Trial::of_picture(runner, target, &changes))
+            };
+            let trials: Vec<Option<Trial>> = changes.par_iter().map(trial).collect();
+            for ((repair, change), trial) in changes.iter().zip(&trials) {
+                let is_too_much = self.statements > MOST_STATEMENTS * self.most_runs() as u64;
+                if self.runs > end || is_too_much || repair.cost > dearest {
+                    return proven;
                 }
-                proven.push(repair.clone());
+                if change.is_some()
+                    && let Some(noise) = influence.first_trial(repair.of)
+                {
+                    self.count(&noise);
+                }
+                if trial.as_ref().is_some_and(|trial| self.count(trial)) {
+                    if repair.relation != Relation::Known {
+                        dearest = dearest.min(repair.cost + 2.5);
+                    }
+                    proven.push((*repair).clone());
+                }
+            }
+            if changes.len() < batch.len() {
+                break;
             }
         }
         proven
+    }
+}
+
+/// One attempt, and its work.
+#[derive(Clone, Copy, Debug)]
+struct Trial {
+    is_positive: bool,
+    runs: usize,
+    statements: u64,
+}
+
+impl Trial {
+    /// Whether the picture is right with changes.
+    fn of_picture(runner: &Runner<'_>, target: &RightPicture, changes: &[Change]) -> Self {
+        let mut trial = Trial { is_positive: true, runs: 0, statements: 0 };
+        // Open strengths fit one scene more easily than all, so the first only excludes.
+        for scenes in [1, runner.samples.len()] {
+            trial.runs += scenes;
+            let seen = see(runner, changes, 0..scenes);
+            trial.statements += seen.as_ref().map_or(0, |seen| seen.statements);
+            trial.is_positive = seen.is_some_and(|seen| target.agrees(&seen).is_some());
+            if !trial.is_positive {
+                break;
+            }
+        }
+        trial
+    }
+}
+
+/// Whether values have an influence on all that is wrong in the picture: the colours, or the positions, or both.
+struct Influence<'b> {
+    base: &'b [Change],
+    telling: usize,
+    before: Seen,
+    is_colour_wrong: bool,
+    is_clip_wrong: bool,
+    /// For each observed value, whether it has, once tried.
+    known: Vec<Option<Trial>>,
+    is_counted: Vec<bool>,
+}
+
+impl<'b> Influence<'b> {
+    /// The influence of `count` values beside changes; `None` if a loop never ends.
+    fn new(search: &mut Search<'_>, base: &'b [Change], count: usize) -> Option<Self> {
+        let telling = search.telling;
+        let before = search.see(base, telling..telling + 1)?;
+        let runner = search.at.runner;
+        let points = |stage| runner.first_point(stage, telling)..runner.first_point(stage, telling + 1);
+        let [is_colour_wrong, is_clip_wrong] =
+            search.target.wrong_in(telling, &before, points(Stage::Fragment), points(Stage::Vertex));
+        let (known, is_counted) = (vec![None; count], vec![false; count]);
+        Some(Influence { base, telling, before, is_colour_wrong, is_clip_wrong, known, is_counted })
+    }
+
+    /// Tries the values of repairs that were not tried before.
+    fn try_all(&mut self, runner: &Runner<'_>, repairs: &[(&Repair, Option<Change>)]) {
+        let mut new: Vec<(usize, &Change)> = Vec::new();
+        for (repair, change) in repairs {
+            let Some(change) = change else { continue };
+            if self.known[repair.of].is_none() && new.iter().all(|(of, _)| *of != repair.of) {
+                new.push((repair.of, change));
+            }
+        }
+        let trials: Vec<(usize, Trial)> =
+            new.par_iter().map(|(of, change)| (*of, self.trial(runner, (*change).clone()))).collect();
+        for (of, trial) in trials {
+            self.known[of] = Some(trial);
+        }
+    }
+
+    fn trial(&self, runner: &Runner<'_>, mut noise: Change) -> Trial {
+        noise.values = noise.values.map(noise.values.size, |p, _, b| b.fill(p as f32 * 0.37 + 1.5));
+        let mut changes = self.base.to_vec();
+        changes.push(noise);
+        let after = see(runner, &changes, self.telling..self.telling + 1);
+        let statements = after.as_ref().map_or(0, |after| after.statements);
+        // A repair changes all that is wrong.
+        let is_positive = after.is_none_or(|after| {
+            let changes_colour = !after.colour.is_same(&self.before.colour);
+            let changes_clip = !after.clip.is_same(&self.before.clip);
+            match (self.is_colour_wrong, self.is_clip_wrong) {
+                (true, true) => changes_colour && changes_clip,
+                (true, false) => changes_colour,
+                (false, true) => changes_clip,
+                (false, false) => changes_colour || changes_clip,
+            }
+        });
+        Trial { is_positive, runs: 1, statements }
+    }
+
+    /// Whether a value that was tried has an influence.
+    fn is_in_picture(&self, of: usize) -> bool {
+        self.known[of].is_some_and(|trial| trial.is_positive)
+    }
+
+    /// The trial of a value, the first time that it is asked for.
+    fn first_trial(&mut self, of: usize) -> Option<Trial> {
+        if std::mem::replace(&mut self.is_counted[of], true) { None } else { self.known[of] }
     }
 }
 
@@ -441,7 +610,7 @@ fn most_telling(at: Observer<'_>) -> usize {
 }
 
 /// The picture in some scenes with changes; `None` if a run does not end.
-pub(super) fn see(runner: &Runner<'_>, changes: &[Change], scenes: std::ops::Range<usize>) -> Option<Seen> {
+pub(super) fn see(runner: &Runner<'_>, changes: &[Change], scenes: Range<usize>) -> Option<Seen> {
     let colour = Values::absent(3, runner.points(Stage::Fragment));
     let clip = Values::absent(4, runner.points(Stage::Vertex));
     let mut seen = Seen { colour, clip, statements: 0 };

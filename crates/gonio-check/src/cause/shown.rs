@@ -15,6 +15,8 @@ use std::rc::Rc;
 
 /// Places in each scene at which values are compared.
 const PLACES: usize = 20;
+/// The quantity that is the unit normal.
+const NORMAL: &str = "N";
 
 /// The quantities that a program computes, compared with one model solution.
 pub(crate) struct Shown {
@@ -23,6 +25,8 @@ pub(crate) struct Shown {
     samples: Vec<SceneSamples>,
     method: LightingMethod,
     written_exponent: f32,
+    /// Whether the program interpolates normals that were not normalised, with right values.
+    keeps_normal: bool,
     /// Names of quantities with right values.
     right: BTreeSet<String>,
     /// Variables with right values, and those that they are computed from.
@@ -52,8 +56,11 @@ impl Shown {
         let observed = observed(program, &samples);
         let mut right: BTreeSet<String> = BTreeSet::new();
         let (mut is_in_view, mut in_spaces) = (false, [0; 2]);
-        for answer in answers(method) {
-            let model = Model::new(solutions, answer, Space::World, &samples, written_exponent, Mistakes::These(&[]))?;
+        // The view matrix is called V too.
+        let is_vector = |q: &&Quantity| q.values.size <= 4 && is_observed(&observed, q, false);
+        let none = Mistakes::These(&[]);
+        for answer in answers(method, false) {
+            let model = Model::new(solutions, answer, Space::World, &samples, written_exponent, none)?;
             let in_space = |space: Space| -> BTreeSet<&str> {
                 let is_there = |q: &&Quantity| q.space == space && has_space(&q.name);
                 let there = model.quantities.iter().filter(is_there).filter(|q| is_observed(&observed, q, false));
@@ -65,9 +72,18 @@ impl Shown {
                 in_spaces[0].max(in_world.difference(&in_view).count()),
                 in_spaces[1].max(in_view.difference(&in_world).count()),
             ];
-            // The view matrix is called V too.
-            let shown = model.quantities.iter().filter(|q| q.values.size <= 4 && is_observed(&observed, q, false));
-            right.extend(first_of_same(&shown.collect::<Vec<_>>(), hypotheses));
+            right.extend(first_of_same(&model.quantities.iter().filter(is_vector).collect::<Vec<_>>(), hypotheses));
+        }
+        let mut keeps_normal = false;
+        if !method.model.is_per_vertex() && !right.contains(NORMAL) {
+            for answer in answers(method, true) {
+                let model = Model::new(solutions, answer, Space::World, &samples, written_exponent, none)?;
+                let found = first_of_same(&model.quantities.iter().filter(is_vector).collect::<Vec<_>>(), hypotheses);
+                if found.contains(NORMAL) {
+                    keeps_normal = true;
+                    right.extend(found);
+                }
+            }
         }
         let variables = hypotheses.with_parts(&right);
         let program = program.clone();
@@ -79,6 +95,7 @@ impl Shown {
             samples,
             method,
             written_exponent,
+            keeps_normal,
             right,
             variables,
             is_in_view,
@@ -153,18 +170,21 @@ impl Shown {
     }
 
     fn models(&self, mistakes: Mistakes<'_>) -> Vec<Model> {
-        let Shown { solutions, method, samples, written_exponent, .. } = self;
+        let Shown { solutions, method, samples, written_exponent, keeps_normal, .. } = self;
         let model = |answer| Model::new(solutions, answer, method.space, samples, *written_exponent, mistakes);
         // A test ensures that all model solutions can be compiled.
-        answers(*method).filter_map(|answer| model(answer).ok()).collect()
+        answers(*method, *keeps_normal).filter_map(|answer| model(answer).ok()).collect()
     }
 }
 
-fn answers(method: LightingMethod) -> impl Iterator<Item = AnswerMethod> {
+fn answers(method: LightingMethod, normal_kept: bool) -> impl Iterator<Item = AnswerMethod> {
     let highlights = if method.model.has_exponent() { &[false, true][..] } else { &[false] };
-    highlights
-        .iter()
-        .map(move |half_vector| AnswerMethod { half_vector: *half_vector, ..AnswerMethod::new(method.model) })
+    let answer = move |half_vector: &bool| AnswerMethod {
+        half_vector: *half_vector,
+        normal_kept,
+        ..AnswerMethod::new(method.model)
+    };
+    highlights.iter().map(answer)
 }
 
 fn observed(program: &Program, samples: &[SceneSamples]) -> Vec<Recorded> {

@@ -6,17 +6,18 @@ use super::program::{Program, run_in_scene};
 use crate::mistakes::{Hypotheses, Hypothesis, ModelSolution};
 use gonio_glsl::Stage;
 use gonio_interpreter::{CompiledStage, PointValues, StageInputs};
-use std::cell::{OnceCell, RefCell};
+use std::cell::RefCell;
 use std::collections::{BTreeSet, HashMap};
 use std::rc::Rc;
+use std::sync::{Arc, OnceLock};
 
 /// One compiled program for all hypotheses of a model solution.
 pub(crate) struct AllHypotheses {
     /// The hypotheses.
-    pub hypotheses: Rc<Hypotheses>,
+    pub hypotheses: Arc<Hypotheses>,
     pub(super) program: Program,
     /// Each stage line by line, unless it has branches or loops.
-    lines: [OnceCell<Option<LineByLine>>; 2],
+    lines: [OnceLock<Option<LineByLine>>; 2],
     /// For each stage, the changeable lines and the inputs that select their variants.
     ways: [Vec<(usize, usize)>; 2],
     /// Those of the vertex shader on which `gl_Position` depends, by their index among its changeable lines.
@@ -31,8 +32,8 @@ type ProgramKey = ([String; 2], u32);
 /// Model solutions with their hypotheses, compiled on first use and kept for further programs.
 #[derive(Default)]
 pub struct ModelSolutions {
-    known: RefCell<HashMap<ModelSolution, Rc<AllHypotheses>>>,
-    hypotheses: RefCell<HashMap<ModelSolution, Rc<Hypotheses>>>,
+    known: RefCell<HashMap<ModelSolution, Arc<AllHypotheses>>>,
+    hypotheses: RefCell<HashMap<ModelSolution, Arc<Hypotheses>>>,
     programs: RefCell<HashMap<ProgramKey, Rc<ModelProgram>>>,
 }
 
@@ -43,9 +44,9 @@ const MOST_PROGRAMS: usize = 64;
 
 impl ModelSolutions {
     /// The hypotheses of a model solution.
-    pub(crate) fn hypotheses(&self, model: ModelSolution) -> Rc<Hypotheses> {
+    pub(crate) fn hypotheses(&self, model: ModelSolution) -> Arc<Hypotheses> {
         let mut known = self.hypotheses.borrow_mut();
-        Rc::clone(known.entry(model).or_insert_with(|| Rc::new(Hypotheses::for_model(model))))
+        Arc::clone(known.entry(model).or_insert_with(|| Arc::new(Hypotheses::for_model(model))))
     }
 
     /// A model solution in this text.
@@ -70,18 +71,18 @@ impl ModelSolutions {
     ///
     /// # Errors
     /// The interpreter cannot run gonio's own shaders; a test ensures that it can.
-    pub(crate) fn get(&self, model: ModelSolution) -> Result<Rc<AllHypotheses>, String> {
+    pub(crate) fn get(&self, model: ModelSolution) -> Result<Arc<AllHypotheses>, String> {
         if let Some(known) = self.known.borrow().get(&model) {
-            return Ok(Rc::clone(known));
+            return Ok(Arc::clone(known));
         }
-        let new = Rc::new(AllHypotheses::new(self.hypotheses(model))?);
-        self.known.borrow_mut().insert(model, Rc::clone(&new));
+        let new = Arc::new(AllHypotheses::new(self.hypotheses(model))?);
+        self.known.borrow_mut().insert(model, Arc::clone(&new));
         Ok(new)
     }
 }
 
 impl AllHypotheses {
-    fn new(hypotheses: Rc<Hypotheses>) -> Result<Self, String> {
+    fn new(hypotheses: Arc<Hypotheses>) -> Result<Self, String> {
         let texts = hypotheses.sources();
         let parsed = [Stage::Vertex, Stage::Fragment].map(|stage| {
             let mut parsed = gonio_glsl::parse(&texts[stage as usize]);
@@ -102,7 +103,7 @@ impl AllHypotheses {
         let position = hypotheses.with_parts(&BTreeSet::from(["gl_Position".to_owned()]));
         let is_of_position = |at: &usize| position.contains(&hypotheses.variables[ways[0][*at].0]);
         let of_position = (0..ways[0].len()).filter(is_of_position).collect();
-        let lines = [OnceCell::new(), OnceCell::new()];
+        let lines = [OnceLock::new(), OnceLock::new()];
         Ok(AllHypotheses { hypotheses, program, lines, ways, of_position, exponent })
     }
 

@@ -7,7 +7,9 @@ use super::prediction::{Planes, Predicted, Predictor, Sum};
 use super::values::Values;
 use crate::comparison::weighted_strengths;
 use crate::mistakes::Hypothesis;
-use std::cell::OnceCell;
+use std::borrow::Cow;
+use std::ops::Range;
+use std::sync::OnceLock;
 
 /// The difference of colours that no eye and no 8-bit picture shows.
 const TOLERANCE: f32 = 0.003;
@@ -28,7 +30,7 @@ const FAINTEST: f64 = 2e-3;
 struct Variant {
     highlight: Highlight,
     hypothesis: Hypothesis,
-    scenes: Vec<OnceCell<Predicted>>,
+    scenes: Vec<OnceLock<Predicted>>,
 }
 
 /// The right picture.
@@ -91,7 +93,7 @@ impl RightPicture {
             }
         }
         let variants = chosen.into_iter().map(|(highlight, hypothesis)| {
-            let scenes = (0..predictor.scenes()).map(|_| OnceCell::new()).collect();
+            let scenes = (0..predictor.scenes()).map(|_| OnceLock::new()).collect();
             Variant { highlight, hypothesis, scenes }
         });
         let variants = variants.collect();
@@ -112,11 +114,27 @@ impl RightPicture {
     pub fn may_agree(&self, seen: &Seen) -> bool {
         let count = self.predictor.scenes();
         let places = (0..count).map(|scene| self.predictor.places(scene)).sum();
-        let seen_planes = planes(&seen.colour);
+        let colours = SeenColours::new(planes(&seen.colour));
         self.variants.iter().any(|variant| {
             let scenes = self.scenes(variant, count);
-            is_in_place(&seen.clip, &scenes) && Fit::new(&seen_planes, places, &scenes).is_right_at_few()
+            is_in_place(&seen.clip, &scenes) && Fit::new(&colours, places, &scenes).is_right_at_few()
         })
+    }
+
+    /// Whether the colours and whether the positions of one scene are wrong, whatever the strengths. `places` and `vertices`
+    /// are the points of the scene.
+    #[must_use]
+    pub fn wrong_in(&self, scene: usize, seen: &Seen, places: Range<usize>, vertices: Range<usize>) -> [bool; 2] {
+        let colours = SeenColours::new(planes(&seen.colour).map(|plane| plane[places.clone()].to_vec()));
+        let clip = Values::new(4, seen.clip.numbers[vertices.start * 4..vertices.end * 4].to_vec());
+        let mut wrong = [true; 2];
+        for variant in &self.variants {
+            let right =
+                variant.scenes[scene].get_or_init(|| self.predictor.predict(scene, &variant.hypothesis, Sum::Terms));
+            wrong[0] &= !Fit::new(&colours, places.len(), &[right]).is_right_at_few();
+            wrong[1] &= !is_in_place(&clip, &[right]);
+        }
+        wrong
     }
 
     /// Whether a picture is right, at the points that it has. The first variant that fits counts.
@@ -129,7 +147,7 @@ impl RightPicture {
             sum += self.predictor.places(count);
             count += 1;
         }
-        let seen_planes = planes(&seen.colour);
+        let colours = SeenColours::new(planes(&seen.colour));
         let first = self.variants.first()?;
         if !is_in_place(&seen.clip, &self.scenes(first, count)) {
             return None;
@@ -138,11 +156,11 @@ impl RightPicture {
         self.variants.iter().find_map(|variant| {
             // Most variants differ in the first scenes.
             if count > FIRST_SCENES
-                && !Fit::new(&seen_planes, places_of_first, &self.scenes(variant, FIRST_SCENES)).is_right_at_few()
+                && !Fit::new(&colours, places_of_first, &self.scenes(variant, FIRST_SCENES)).is_right_at_few()
             {
                 return None;
             }
-            let fit = Fit::new(&seen_planes, sum, &self.scenes(variant, count));
+            let fit = Fit::new(&colours, sum, &self.scenes(variant, count));
             fit.is_right(self.required)
                 .then(|| Agreement { highlight: self.is_lit.then_some(variant.highlight), strengths: fit.strengths })
         })
@@ -180,48 +198,84 @@ pub(super) struct Fit {
     pub share: f32,
 }
 
+/// Seen colours, with what all fits to them need.
+pub(super) struct SeenColours {
+    planes: Planes,
+    /// The weight of each value: errors are in parts of large ones.
+    weights: [Vec<f64>; 3],
+    /// Whether red, green and blue are the same.
+    is_grey: bool,
+}
+
+impl SeenColours {
+    pub fn new(planes: Planes) -> Self {
+        // A value of 1 may have been limited to it.
+        let weight = |s: &f32| if *s == 1.0 { 0.0 } else { (0.05 + f64::from(s.abs())).powi(-2) };
+        let weights = planes.each_ref().map(|plane| plane.iter().map(weight).collect());
+        let is_grey = is_grey(&planes);
+        SeenColours { planes, weights, is_grey }
+    }
+
+    fn root_mean_square(&self, count: usize) -> f32 {
+        let (mut sum, mut counted) = (0.0_f64, 0_u32);
+        for x in self.planes.iter().flat_map(|plane| &plane[..count]).filter(|x| x.is_finite()) {
+            sum += f64::from(*x) * f64::from(*x);
+            counted += 1;
+        }
+        (sum / f64::from(counted.max(1))).sqrt() as f32
+    }
+}
+
+fn is_grey([red, green, blue]: &Planes) -> bool {
+    red == green && red == blue
+}
+
+/// A channel of several scenes, one after the other.
+fn joined<'a>(scenes: &[&'a Predicted], of: impl Fn(&'a Predicted) -> &'a [f32]) -> Cow<'a, [f32]> {
+    match scenes {
+        [one] => Cow::Borrowed(of(one)),
+        several => Cow::Owned(several.iter().flat_map(|scene| of(scene)).copied().collect()),
+    }
+}
+
 impl Fit {
     /// Fits predictions of the first scenes, `count` places together.
-    pub fn new(seen: &Planes, count: usize, scenes: &[&Predicted]) -> Self {
+    pub fn new(seen: &SeenColours, count: usize, scenes: &[&Predicted]) -> Self {
         let mut wrong = vec![false; count];
         let mut found = Fit { strengths: [None; 3], is_dark: false, share: 1.0 };
         let Some(first) = scenes.first() else { return found };
-        let root_mean_square = {
-            let (mut sum, mut counted) = (0.0_f64, 0_u32);
-            for x in seen.iter().flat_map(|plane| &plane[..count]).filter(|x| x.is_finite()) {
-                sum += f64::from(*x) * f64::from(*x);
-                counted += 1;
-            }
-            (sum / f64::from(counted.max(1))).sqrt() as f32
-        };
         // With open strengths, a dark picture is as good as a bright one; a black one has no light.
-        let scale = if first.open.is_empty() { 1.0 } else { (2.0 * root_mean_square).clamp(DARKEST, 1.0) };
-        for channel in 0..3 {
-            let seen = &seen[channel][..count];
-            let mut right: Vec<f32> = scenes.iter().flat_map(|scene| &scene.known[channel]).copied().collect();
-            let open: Vec<Vec<f32>> = (0..first.open.len())
-                .map(|term| {
-                    let beyond = scenes.iter().flat_map(|scene| &scene.open[term].1[channel]);
-                    beyond.zip(&right).map(|(beyond, known)| beyond + known).collect()
-                })
+        let scale = match first.open.is_empty() {
+            true => 1.0,
+            false => (2.0 * seen.root_mean_square(count)).clamp(DARKEST, 1.0),
+        };
+        let is_grey = seen.is_grey
+            && scenes.iter().all(|scene| is_grey(&scene.known) && scene.open.iter().all(|(_, open)| is_grey(open)));
+        for channel in 0..if is_grey { 1 } else { 3 } {
+            let known = joined(scenes, |scene| &scene.known[channel]);
+            let open: Vec<Cow<'_, [f32]>> = (0..first.open.len())
+                .map(|term| joined(scenes, move |scene| scene.open[term].1[channel].as_slice()))
                 .collect();
-            let planes: Vec<&[f32]> = open.iter().map(Vec::as_slice).collect();
-            // Errors are in parts of large values. A value of 1 may have been limited to it.
-            let weight = |s: f32| if s == 1.0 { 0.0 } else { (0.05 + f64::from(s.abs())).powi(-2) };
-            let fitted = if planes.is_empty() { Vec::new() } else { weighted_strengths(weight, seen, &right, &planes) };
-            let known = right.clone();
-            for (((term, _), plane), strength) in first.open.iter().zip(&open).zip(&fitted) {
+            let beyond: Vec<&[f32]> = open.iter().map(AsRef::as_ref).collect();
+            let (weights, seen) = (&seen.weights[channel], &seen.planes[channel][..count]);
+            let fitted = match beyond.is_empty() {
+                true => Vec::new(),
+                false => weighted_strengths(|place| weights[place], seen, &known, &beyond),
+            };
+            for ((term, _), strength) in first.open.iter().zip(&fitted) {
                 match term {
-                    Some(term) => found.strengths[*term].get_or_insert([0.0; 3])[channel] = *strength,
+                    Some(term) => {
+                        let of_term = found.strengths[*term].get_or_insert([0.0; 3]);
+                        if is_grey { of_term.fill(*strength) } else { of_term[channel] = *strength }
+                    }
                     None => found.is_dark |= *strength <= 0.0,
                 }
-                for (sum, (x, k)) in right.iter_mut().zip(plane.iter().zip(&known)) {
-                    *sum += *strength as f32 * (x - k);
-                }
             }
-            for ((seen, right), wrong) in seen.iter().zip(&right).zip(&mut wrong) {
+            for (place, ((seen, known), wrong)) in seen.iter().zip(known.iter()).zip(&mut wrong).enumerate() {
+                let right =
+                    beyond.iter().zip(&fitted).fold(*known, |sum, (x, strength)| sum + *strength as f32 * x[place]);
                 let is_near = (seen - right).abs() <= TOLERANCE * scale + RELATIVE_TOLERANCE * right.abs()
-                    || *seen >= 1.0 && *right >= 0.999
+                    || *seen >= 1.0 && right >= 0.999
                     || !seen.is_finite() && !right.is_finite();
                 *wrong |= !is_near;
             }

@@ -1,6 +1,6 @@
 //! The values of an expression at all points, and how two of them are related.
 
-use std::cell::OnceCell;
+use std::sync::OnceLock;
 
 /// The values of a quantity at all points, component by component within each point. Points at which it is not computed
 /// are absent.
@@ -12,8 +12,8 @@ pub struct Values {
     pub numbers: Vec<f32>,
     /// Whether each point has a value.
     pub present: Vec<bool>,
-    root_mean_square: OnceCell<f32>,
-    is_constant: OnceCell<bool>,
+    root_mean_square: OnceLock<f32>,
+    is_constant: OnceLock<bool>,
 }
 
 /// The largest difference between numbers that count as the same, in parts of the root mean square.
@@ -31,8 +31,8 @@ impl Values {
             size,
             numbers: vec![f32::NAN; size * points],
             present: vec![false; points],
-            root_mean_square: OnceCell::new(),
-            is_constant: OnceCell::new(),
+            root_mean_square: OnceLock::new(),
+            is_constant: OnceLock::new(),
         }
     }
 
@@ -44,8 +44,8 @@ impl Values {
             size,
             numbers,
             present: vec![true; points],
-            root_mean_square: OnceCell::new(),
-            is_constant: OnceCell::new(),
+            root_mean_square: OnceLock::new(),
+            is_constant: OnceLock::new(),
         }
     }
 
@@ -57,8 +57,8 @@ impl Values {
             size: self.size,
             numbers: self.numbers[..points * self.size].to_vec(),
             present: self.present[..points].to_vec(),
-            root_mean_square: OnceCell::new(),
-            is_constant: OnceCell::new(),
+            root_mean_square: OnceLock::new(),
+            is_constant: OnceLock::new(),
         }
     }
 

@@ -5,7 +5,7 @@ use super::repair::{Make, Repair};
 use gonio_language::tr;
 
 /// The variables of the model solutions, and the ids of their texts.
-const WORDS: [(&str, &str); 71] = [
+const WORDS: [(&str, &str); 74] = [
     ("world_position", "check-quantity-position"),
     ("world_place", "check-quantity-position"),
     ("model_position", "check-quantity-position-in-model-space"),
@@ -24,6 +24,9 @@ const WORDS: [(&str, &str); 71] = [
     ("H", "check-quantity-unit-half-vector"),
     ("L + V", "check-quantity-sum-of-directions"),
     ("dot(N, L)", "check-quantity-cosine-of-light"),
+    ("2.0 * dot(N, L)", "check-quantity-twice-the-cosine-of-light"),
+    ("dot(N, L) * N", "check-quantity-normal-times-the-cosine"),
+    ("2.0 * dot(N, L) * N", "check-quantity-normal-times-twice-the-cosine"),
     ("dot(N, V)", "check-quantity-cosine-of-eye"),
     ("dot(N, H)", "check-quantity-cosine-of-half-vector"),
     ("dot(R, V)", "check-quantity-cosine-of-reflection"),

@@ -309,8 +309,14 @@ impl Judging<'_> {
         // In a long formula, and beside another mistake, the proof is often a value that is computed from the mistake's own
         // wrong value, or the only use of a variable that is set to it. Where the sum is wrong, it may be one of its terms.
         let is_of_place = |cause: &ProvenCause, place: &MistakePlace| match first.mistakes.len() {
-            0 | 1 => (is_long || place.is_sum) && cause.distance > 0,
-            _ => place.is_computed && (cause.distance > 0 || cause.is_only_read && cause.stage == place.stage),
+            0 | 1 => (is_long || place.is_sum || place.is_computed && !place.is_given) && cause.distance > 0,
+            _ => {
+                let is_same_stage = cause.stage == place.stage;
+                // A variable or a varying is wrong where it is set.
+                let is_read = is_same_stage && cause.is_only_read
+                    || place.is_copy && cause.is_given && (is_same_stage || place.stage == Stage::Vertex);
+                place.is_computed && (cause.distance > 0 || is_read)
+            }
         };
         let mut causes: Vec<&ProvenCause> = groups.iter().filter_map(|group| group.first()).collect();
         for at in 0..first.mistakes.len() {

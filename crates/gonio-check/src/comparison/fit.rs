@@ -20,37 +20,36 @@ pub struct Fit {
 /// The values of a channel at the pixels that count.
 pub type Plane = Vec<f32>;
 
-/// Returns the strengths that bring `known + sum strength * (term - known)` nearest to `seen`, for one channel.
-pub fn strengths(seen: &[f32], known: &[f32], terms: &[&[f32]]) -> Vec<f64> {
-    // Overexposed pixels are excluded: their value is unknown.
-    weighted_strengths(|seen| if seen < 1.0 { 1.0 } else { 0.0 }, seen, known, terms)
-}
+/// The most terms whose strengths are fitted: those of the light equation.
+const MOST_TERMS: usize = 3;
 
-/// As [`strengths`], with a weight for each seen value.
-pub fn weighted_strengths(weight: impl Fn(f32) -> f64, seen: &[f32], known: &[f32], terms: &[&[f32]]) -> Vec<f64> {
-    let count = terms.len();
-    let (mut matrix, mut right) = (vec![0.0_f64; count * count], vec![0.0_f64; count]);
-    let mut beyond_known = vec![0.0_f64; count];
+/// Returns the strengths that bring `known + sum strength * beyond` nearest to `seen`, for one channel. `weight` is that of
+/// each value; `beyond` are at most three terms without the known light.
+pub fn weighted_strengths(weight: impl Fn(usize) -> f64, seen: &[f32], known: &[f32], beyond: &[&[f32]]) -> Vec<f64> {
+    let count = beyond.len().min(MOST_TERMS);
+    let (mut matrix, mut right) = ([0.0_f64; MOST_TERMS * MOST_TERMS], [0.0_f64; MOST_TERMS]);
     for (index, (&s, &k)) in seen.iter().zip(known).enumerate() {
-        let weight = weight(s);
-        if !(s.is_finite() && k.is_finite() && weight > 0.0) {
-            continue;
-        }
-        for (beyond, term) in beyond_known.iter_mut().zip(terms) {
-            *beyond = f64::from(term.get(index).copied().unwrap_or(f32::NAN) - k);
-        }
-        if !beyond_known.iter().all(|x| x.is_finite()) {
-            continue;
-        }
+        let weight = weight(index);
         let target = f64::from(s - k);
-        for (row, a) in beyond_known.iter().enumerate() {
+        if !(target.is_finite() && weight > 0.0) {
+            continue;
+        }
+        let mut here = [0.0_f64; MOST_TERMS];
+        for (value, term) in here.iter_mut().zip(beyond) {
+            *value = f64::from(term.get(index).copied().unwrap_or(f32::NAN));
+        }
+        let here = &here[..count];
+        if !here.iter().all(|x| x.is_finite()) {
+            continue;
+        }
+        for (row, a) in here.iter().enumerate() {
             right[row] += weight * a * target;
-            for (sum, b) in matrix[row * count..].iter_mut().zip(&beyond_known) {
+            for (sum, b) in matrix[row * count..].iter_mut().zip(here) {
                 *sum += weight * a * b;
             }
         }
     }
-    solve(matrix, right)
+    solve(matrix[..count * count].to_vec(), right[..count].to_vec())
 }
 
 /// Fits `known + sum strength * term` to `seen`, in the test scenes of `known` and `terms`.
@@ -62,9 +61,12 @@ pub fn fit(seen: &Atlas, known: &Atlas, terms: &[Atlas]) -> Fit {
     let counting: Vec<usize> = pixels.filter(|(index, (s, k))| is_everywhere(*index, s, k)).map(|(i, _)| i).collect();
     let of_channel = |channel: usize| {
         let plane = |atlas: &Atlas| -> Plane { counting.iter().map(|&index| atlas.pixels[index][channel]).collect() };
-        let planes: Vec<Plane> = terms.iter().map(plane).collect();
-        let planes: Vec<&[f32]> = planes.iter().map(Vec::as_slice).collect();
-        strengths(&plane(seen), &plane(known), &planes)
+        let (seen, known) = (plane(seen), plane(known));
+        let beyond = |term: &Atlas| -> Plane { plane(term).iter().zip(&known).map(|(x, k)| x - k).collect() };
+        let beyond: Vec<Plane> = terms.iter().map(beyond).collect();
+        let beyond: Vec<&[f32]> = beyond.iter().map(Vec::as_slice).collect();
+        // Overexposed pixels are excluded: their value is unknown.
+        weighted_strengths(|index| if seen[index] < 1.0 { 1.0 } else { 0.0 }, &seen, &known, &beyond)
     };
     let [red, green, blue] = [0, 1, 2].map(of_channel);
     let found: Vec<[f64; 3]> = red.iter().zip(green).zip(blue).map(|((r, g), b)| [*r, g, b]).collect();

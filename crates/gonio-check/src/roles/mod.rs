@@ -135,6 +135,17 @@ impl Bindings {
     }
 }
 
+/// Whether a name has a word with this meaning: `vers_lumiere` is about `light`.
+pub(crate) fn is_about(name: &str, meaning: &str) -> bool {
+    words::Words::split(name).has(meaning)
+}
+
+/// Whether a name is that of a reflected or refracted direction.
+pub(crate) fn is_of_reflection(name: &str) -> bool {
+    let words = words::Words::split(name);
+    ["reflect", "refraction"].iter().any(|word| words.has(word)) || matches!(words.letters.as_slice(), ['r' | 'R'])
+}
+
 /// Determines the role of each variable. Of OpenGL's own variables (`gl_...`), those of the old pipeline have the roles
 /// that the specification gives them; the others are ignored.
 #[must_use]

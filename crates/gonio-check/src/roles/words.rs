@@ -100,7 +100,10 @@ const MEANINGS: &[(&str, &str)] = &[
     ("skybox", "cube sky"),
     ("sky ciel", "sky"),
     ("env environment environnement envmap", "env"),
-    ("reflect reflection reflexion", "reflect"),
+    (
+        "reflect refl reflection reflexion reflected reflechi réfléchi reflet reflejado reflejada reflejo reflektiert",
+        "reflect",
+    ),
     ("panorama pano equirect equirectangular equi latlong hdr hdri spherical skydome", "panorama"),
     // Others.
     ("time now temps elapsed clock seconds", "time"),
