@@ -123,6 +123,7 @@ const BELOW_PLOTS: &[&str] = &["gonio-light", "gonio-image", "gonio-bsdf"];
 const BELOW_BEYOND: &[&str] = &["gonio-light", "gonio-image", "gonio-bsdf", "gonio-plot", "gonio-trace"];
 const BELOW_CHECK: &[&str] = &[
     "gonio-language",
+    "gonio-threads",
     "gonio-light",
     "gonio-mesh",
     "gonio-image",

@@ -177,14 +177,17 @@ fn assign_uniforms(program: &mut Program, samples: &[SceneSamples], models: &[Mo
         program.bindings.bound = best.map_or(bound.clone(), |(_, bound)| bound);
     }
     lights::choose_space(program, samples, models);
-    if let Some(found) = attenuation(program, samples, models, &bound, &others) {
-        for (index, role) in found.into_iter().zip(ATTENUATION) {
-            program.bindings.bound[index].role = role;
-            others.retain(|other| *other != index);
-        }
-    }
+    let mut attenuated = false;
     // Twice, because the first of two unknown vectors is tried beside a wrong second one.
     for _ in 0..2 {
+        // It is a function of the distance from the light.
+        if let Some(found) = (!attenuated).then(|| attenuation(program, samples, models, &bound, &others)).flatten() {
+            attenuated = true;
+            for (index, role) in found.into_iter().zip(ATTENUATION) {
+                program.bindings.bound[index].role = role;
+                others.retain(|other| *other != index);
+            }
+        }
         for index in &others {
             let mut usual = match is_exponent(program, &bound[*index].declared.name) {
                 true => Role::Shininess,
@@ -223,6 +226,8 @@ fn assign_uniforms(program: &mut Program, samples: &[SceneSamples], models: &[Mo
             }
             program.bindings.bound[*index].role = best.1;
         }
+        // Beside inputs without a role, a light shows few values.
+        lights::choose_space(program, samples, models);
     }
     if (is_in_place(program, samples), score(program, samples, models)) <= before {
         // An exponent is one by its use, even if no value becomes right with it.

@@ -7,7 +7,7 @@ use super::prediction::{Predicted, Predictor, Sum};
 use super::shown::Shown;
 use super::target::{Fit, Seen, SeenColours, is_in_place, planes};
 use super::values::Values;
-use crate::mistakes::{Hypothesis, Mistake, TERMS, term_of};
+use crate::mistakes::{Hypothesis, Mistake, TERMS};
 use std::rc::Rc;
 
 /// The peculiarity of a highlight by the half vector.
@@ -46,11 +46,6 @@ impl Candidate {
     /// Whether a hypothesis draws every scene at all places; returns the fitted strengths.
     fn draws(&self, seen: &Seen, hypothesis: &Hypothesis, required: [bool; 3]) -> Option<Strengths> {
         let whole = SeenColours::new(planes(&seen.colour));
-        // A mistake in a term may take its light away.
-        let all = &self.fine.all.hypotheses.mistakes;
-        let is_of =
-            |term: usize| hypothesis.mistakes.iter().any(|mistake| term_of(&all[*mistake].id) == Some(TERMS[term]));
-        let required: [bool; 3] = std::array::from_fn(|term| required[term] && !is_of(term));
         self.fine.sums(hypothesis).iter().find_map(|sum| {
             let mut all: Vec<Predicted> = Vec::new();
             let mut count = 0;

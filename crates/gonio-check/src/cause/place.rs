@@ -282,8 +282,11 @@ fn output_with<'a>(
     is_last: bool,
 ) -> Option<&'a Recorded> {
     let outputs: Vec<(&str, &Recorded)> = variables.filter(|(name, _)| OUTPUTS.contains(name)).collect();
+    // A function's value is computed in the function.
     let is_it = |seen: &&Recorded| {
-        !is_name(program.text(seen.stage, seen.expr)) && outputs.iter().any(|(name, of)| has(seen, name, of))
+        !is_name(program.text(seen.stage, seen.expr))
+            && !program.is_call(seen.stage, seen.expr)
+            && outputs.iter().any(|(name, of)| has(seen, name, of))
     };
     let all = observed.iter().filter(is_it);
     let is_of_sum = |seen: &&Recorded| {

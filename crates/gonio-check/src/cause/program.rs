@@ -169,6 +169,15 @@ impl Program {
         self.is_whole_value(stage, expr) || before.ends_with("return")
     }
 
+    /// Whether an expression is the call of a function of the program itself.
+    #[must_use]
+    pub fn is_call(&self, stage: Stage, expr: ExprId) -> bool {
+        let text = self.text(stage, expr);
+        let Some((name, _)) = text.split_once('(').filter(|_| text.ends_with(')')) else { return false };
+        let name = name.trim();
+        self.stage(stage).source.expressions.iter().any(|other| other.function.as_deref() == Some(name))
+    }
+
     /// Whether a text is the name of an output.
     #[must_use]
     pub fn is_output(&self, stage: Stage, text: &str) -> bool {

@@ -373,7 +373,14 @@ fn unexplained(task: &Task, mut verdict: Verdict, bindings: &Bindings) -> Verdic
     let is_other = |bound: &&Bound| bound.role == Role::Roughness && !task.model.has_roughness();
     let others = bindings.bound.iter().filter(is_other).map(|bound| &bound.declared);
     let unknown = bindings.unknown.iter().chain(others).filter(|declared| declared.kind == VariableKind::Uniform);
-    let unknown: Vec<String> = unknown.map(|declared| format!("`{}`", declared.name)).collect();
+    let mut unknown: Vec<String> = unknown.map(|declared| format!("`{}`", declared.name)).collect();
+    // Pictures are drawn without the inputs that have no role.
+    let unset = verdict.bound.iter().filter(|bound| bound.role.is_none()).map(|bound| format!("`{}`", bound.name));
+    unset.for_each(|name| {
+        if !unknown.contains(&name) {
+            unknown.push(name);
+        }
+    });
     if !unknown.is_empty() {
         verdict.verdict = Outcome::Unsure;
         verdict.summary = tr!("check-the-picture-differs-from-the-reference", names = unknown.join(", "));

@@ -43,6 +43,16 @@ pub struct Declared {
 }
 
 impl Declared {
+    /// Whether it is the same variable in another version of the program: members of blocks are uniforms of their own where
+    /// there are no blocks, `Light_position` for `Light.position`.
+    fn is_same(&self, other: &Declared) -> bool {
+        let letters = |name: &str| name.replace('.', "_");
+        self.kind == other.kind
+            && self.glsl_type == other.glsl_type
+            && self.array == other.array
+            && (self.name == other.name || letters(&self.name) == letters(&other.name))
+    }
+
     /// Creates a uniform that is not an array.
     #[must_use]
     pub fn uniform(name: impl Into<String>, glsl_type: impl Into<String>) -> Self {
@@ -123,13 +133,11 @@ impl Bindings {
     /// Takes over the roles that the same variables have in another version of the program.
     pub fn adopt(&mut self, known: &Bindings) {
         for bound in &known.bound {
-            match self.bound.iter_mut().find(|own| own.declared == bound.declared) {
-                Some(own) => own.role = bound.role,
-                None if self.unknown.contains(&bound.declared) => {
-                    self.unknown.retain(|unknown| *unknown != bound.declared);
-                    self.bound.push(bound.clone());
-                }
-                None => {}
+            if let Some(own) = self.bound.iter_mut().find(|own| own.declared.is_same(&bound.declared)) {
+                own.role = bound.role;
+            } else if let Some(at) = self.unknown.iter().position(|unknown| unknown.is_same(&bound.declared)) {
+                let declared = self.unknown.remove(at);
+                self.bound.push(Bound { declared, ..*bound });
             }
         }
     }
