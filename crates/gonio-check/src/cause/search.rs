@@ -12,8 +12,8 @@ use super::values::Values;
 use crate::mistakes::Mistake;
 use gonio_glsl::Stage;
 use gonio_interpreter::PointValues;
-use gonio_threads::HAS_THREADS;
 use gonio_threads::prelude::*;
+use gonio_threads::{HAS_THREADS, current_num_threads};
 use std::ops::Range;
 
 /// The result of a search.
@@ -133,6 +133,11 @@ impl<'a> Search<'a> {
     /// Ward's model has more quantities, each of which may stand at each place.
     fn most_runs(&self) -> usize {
         if self.at.model.method.model.has_roughness() { 3 * MOST_RUNS } else { MOST_RUNS }
+    }
+
+    /// Whether more statements were executed than a search is worth.
+    fn is_dear(&self) -> bool {
+        self.statements > MOST_STATEMENTS * self.most_runs() as u64
     }
 
     /// The number of runs of single scenes so far.
@@ -259,57 +264,72 @@ impl<'a> Search<'a> {
     }
 
     /// Two causes: the first one is a wrong value that is recognised. With an explanation, its mistakes are both.
+    ///
+    /// What is beside a first one is searched on all cores, as in [`Search::proven`].
     fn pair(&mut self, observed: &[Observed], explaining: &[&'static Mistake]) -> Option<Found> {
-        let all = 0..self.at.runner.samples.len();
         let is_explained = !explaining.is_empty();
-        let firsts = if is_explained { self.known(observed) } else { self.likely_firsts(observed) };
+        let mut firsts = if is_explained { self.known(observed) } else { self.likely_firsts(observed) };
+        firsts.truncate(MOST_FIRSTS);
         let end = self.runs + MOST_RUNS_OF_PAIR;
         let mut best: Option<Found> = None;
-        for first in firsts.iter().take(MOST_FIRSTS) {
-            if self.runs > end {
-                break;
-            }
-            let Some(change) = first.change(observed, self.at.model) else { continue };
-            let base = vec![change];
-            let mut again = self.at.observe(&base, all.clone());
-            self.at.interpret(&mut again);
-            let tried = if is_explained { Tried::Known } else { Tried::All };
-            let seconds = self.causes(&base, &again, explaining, tried, (MOST_RUNS_OF_SECOND, end));
-            let Some(second) = seconds.first() else { continue };
-            if is_explained != second.is_explained {
-                continue;
-            }
-            let Some(both) = second.repair.change(&again, self.at.model) else { continue };
-            let firsts = self.at.causes(std::slice::from_ref(&both), observed, std::slice::from_ref(first), explaining);
-            let name = |group: &[ProvenCause]| Some(group.first()?.mistakes.first()?.id.clone());
-            // Beside the second, the first is at the best of its places too.
-            let firsts = match name(&firsts) != name(&seconds) {
-                true => self.at_best_place(&both, firsts, explaining),
-                false => firsts,
+        // The likeliest alone: it is often the one.
+        let (likeliest, others) = firsts.split_at(firsts.len().min(1));
+        for batch in std::iter::once(likeliest).chain(others.chunks(current_num_threads())) {
+            let beside = |first: &Repair| {
+                let mut search = Search { runs: 0, statements: 0, ..*self };
+                (search.beside(first, observed, explaining), search.runs, search.statements)
             };
-            let is_same = match (firsts.first(), seconds.first()) {
-                (Some(a), Some(b)) => name(&firsts) == name(&seconds) && (a.is_sound() || a.is_same_value(b)),
-                _ => false,
-            };
+            let all: Vec<(Option<Found>, usize, u64)> = batch.par_iter().map(beside).collect();
+            for (found, runs, statements) in all {
+                if self.runs > end || self.is_dear() {
+                    return best;
+                }
+                self.runs += runs;
+                self.statements += statements;
+                let Some(found) = found else { continue };
+                let is_of_two = matches!(&found, Found::Causes(groups) if groups.len() == 2);
+                if is_of_two && (!is_explained || found.rank() == 1) {
+                    return Some(found);
+                }
+                best.get_or_insert(found);
+            }
+        }
+        best
+    }
+
+    /// A first cause with the best one beside it: one cause at two places, or two.
+    fn beside(&mut self, first: &Repair, observed: &[Observed], explaining: &[&'static Mistake]) -> Option<Found> {
+        let is_explained = !explaining.is_empty();
+        let base = vec![first.change(observed, self.at.model)?];
+        let mut again = self.at.observe(&base, 0..self.at.runner.samples.len());
+        self.at.interpret(&mut again);
+        let tried = if is_explained { Tried::Known } else { Tried::All };
+        let seconds = self.causes(&base, &again, explaining, tried, (MOST_RUNS_OF_SECOND, MOST_RUNS_OF_SECOND));
+        let second = seconds.first().filter(|second| second.is_explained == is_explained)?;
+        let both = second.repair.change(&again, self.at.model)?;
+        let firsts = self.at.causes(std::slice::from_ref(&both), observed, std::slice::from_ref(first), explaining);
+        let name = |group: &[ProvenCause]| Some(group.first()?.mistakes.first()?.id.clone());
+        // Beside the second, the first is at the best of its places too.
+        let firsts = match name(&firsts) != name(&seconds) {
+            true => self.at_best_place(&both, firsts, explaining),
+            false => firsts,
+        };
+        let is_same = match (firsts.first(), seconds.first()) {
+            (Some(a), Some(b)) => name(&firsts) == name(&seconds) && (a.is_sound() || a.is_same_value(b)),
+            _ => false,
+        };
+        match (is_same, is_explained) {
+            (false, _) => Some(Found::Causes(vec![firsts, seconds])),
             // The picture shows two mistakes.
-            if is_same && is_explained {
-                continue;
-            }
-            if is_same {
-                // One mistake at two places.
+            (true, true) => None,
+            // One mistake at two places.
+            (true, false) => {
                 let mut merged = firsts;
                 merged[0].also.push((seconds[0].stage, seconds[0].expr));
                 merged[0].right.extend(seconds[0].right.iter().cloned());
-                best.get_or_insert(Found::Causes(vec![merged]));
-                continue;
+                Some(Found::Causes(vec![merged]))
             }
-            let found = Found::Causes(vec![firsts, seconds]);
-            if !is_explained || found.rank() == 1 {
-                return Some(found);
-            }
-            best.get_or_insert(found);
         }
-        best
     }
 
     /// The places of a named mistake beside another change, the best first; those that are known if there are no others.
@@ -474,8 +494,7 @@ impl<'a> Search<'a> {
             };
             let trials: Vec<Option<Trial>> = changes.par_iter().map(trial).collect();
             for ((repair, change), trial) in changes.iter().zip(&trials) {
-                let is_too_much = self.statements > MOST_STATEMENTS * self.most_runs() as u64;
-                if self.runs > end || is_too_much || repair.cost > dearest {
+                if self.runs > end || self.is_dear() || repair.cost > dearest {
                     return proven;
                 }
                 if change.is_some()
