@@ -28,7 +28,7 @@ pub fn begin(
         options: CheckOptions { pair: None, as_the_lab: request.as_the_lab },
         ..WorkerRequest::default()
     };
-    let worker = worker::start(program, request, true)
+    let mut worker = worker::start(program, request, true)
         .map_err(|error| tr!("window-the-check-could-not-be-started", error = error))?;
     let ctx = ctx.clone();
     Ok(BackgroundTask::start(

@@ -1,6 +1,7 @@
 //! Child processes of gonio's own program, with limits on time and memory. The window and the command line check submissions
 //! in them, so that no shader can harm either.
 
+use std::convert::Infallible;
 use std::io::Error;
 use std::path::Path;
 use std::process::{Child, Command, ExitStatus, Stdio};
@@ -70,11 +71,41 @@ pub fn wait_within(
     most_resident_kb: u64,
     given_up: impl Fn() -> bool,
 ) -> Result<Ended, Error> {
+    let never = |interval| {
+        std::thread::sleep(interval);
+        None::<Infallible>
+    };
+    match wait_for(child, patience, most_resident_kb, given_up, never)? {
+        Waited::Ended(ended) => Ok(ended),
+        Waited::Answered(answer) => match answer {},
+    }
+}
+
+/// What a wait for an answer brought.
+#[derive(Debug, PartialEq, Eq)]
+pub enum Waited<T> {
+    /// The answer; the child goes on.
+    Answered(T),
+    /// The child ended without one, or was stopped.
+    Ended(Ended),
+}
+
+/// [`wait_within`], but only until the child answers: `answer` waits for that as long as it is told.
+///
+/// # Errors
+/// Those of the system while waiting; the child is stopped then.
+pub fn wait_for<T>(
+    child: &mut Child,
+    patience: Duration,
+    most_resident_kb: u64,
+    given_up: impl Fn() -> bool,
+    answer: impl Fn(Duration) -> Option<T>,
+) -> Result<Waited<T>, Error> {
     let begun = Instant::now();
     let mut next_look = begun + LOOK_AT_MEMORY;
     loop {
         match child.try_wait() {
-            Ok(Some(status)) => return Ok(Ended::ByItself(status)),
+            Ok(Some(status)) => return Ok(Waited::Ended(Ended::ByItself(status))),
             Ok(None) => {}
             Err(error) => {
                 stop(child);
@@ -93,16 +124,18 @@ pub fn wait_within(
         } else if looks_at_memory && resident_kb(child.id()).is_some_and(|kb| kb > most_resident_kb) {
             Ended::TooLarge
         } else {
-            std::thread::sleep(LOOK);
-            continue;
+            match answer(LOOK) {
+                Some(answer) => return Ok(Waited::Answered(answer)),
+                None => continue,
+            }
         };
         stop(child);
-        return Ok(ended);
+        return Ok(Waited::Ended(ended));
     }
 }
 
 /// Stops the child. Errors are ignored, because it may have ended in the meantime.
-fn stop(child: &mut Child) {
+pub(super) fn stop(child: &mut Child) {
     let _ = child.kill();
     let _ = child.wait();
 }

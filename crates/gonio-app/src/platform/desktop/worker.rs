@@ -1,12 +1,11 @@
 //! A check in a worker process, for single checks and batches of the command line and for the window.
 //!
-//! The worker reads the files from its standard input and answers on its standard output; it opens no file but those of a course, and
-//! writes none. Its
-//! input stays open while the parent waits. When the parent ends, for any reason, the worker reads the end of its input and
-//! ends too. Both messages are a header (its length as 4 little-endian bytes, then JSON) followed by the bytes whose lengths
+//! The worker reads the files from its standard input and answers on its standard output, one request after the other; it opens no
+//! file but those of a course, and writes none. Its input stays open as long as the parent wants answers. When the parent
+//! ends, for any reason, the worker reads the end of its input and ends too. Both messages are a header (its length as 4 little-endian bytes, then JSON) followed by the bytes whose lengths
 //! the header states.
 
-use super::child::{self, Ended};
+use super::child::{self, Ended, Waited};
 use gonio_check::CheckOptions;
 use gonio_check::feedback::Feedback;
 use gonio_check::submission::SourceFile;
@@ -19,7 +18,7 @@ use serde::{Deserialize, Serialize};
 use std::io::{Error, ErrorKind, Read, Write};
 use std::path::Path;
 use std::process::{Child, Stdio};
-use std::thread::JoinHandle;
+use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::Duration;
 
 /// The hidden command of `gonio` that calls [`serve`].
@@ -85,12 +84,17 @@ struct AnswerHeader {
     sheet: Option<u64>,
 }
 
-/// A running check in a worker process.
+/// An answer as it is read: `None` if the process ended without one, or else why it could not be read.
+type AnswerRead = Result<Option<WorkerAnswer>, String>;
+
+/// A worker process. It ends with this value.
 pub struct Worker {
     child: Child,
-    writer: JoinHandle<Result<std::process::ChildStdin, Error>>,
-    reader: JoinHandle<Result<Option<WorkerAnswer>, String>>,
+    requests: Sender<WorkerRequest>,
+    answers: Receiver<AnswerRead>,
+    /// The exercise of the last request.
     exercise: String,
+    is_alive: bool,
 }
 
 /// Starts `program` on a request. With `one_core` a software driver uses one core, for one of many processes.
@@ -105,18 +109,30 @@ pub fn start(program: &Path, request: WorkerRequest, one_core: bool) -> Result<W
     command.args(COMMAND).args(["--language", Language::current().code()]).stdin(Stdio::piped()).stdout(Stdio::piped());
     command.args(course_options());
     let mut child = command.spawn()?;
-    let (Some(mut input), Some(output)) = (child.stdin.take(), child.stdout.take()) else {
+    let (Some(mut input), Some(mut output)) = (child.stdin.take(), child.stdout.take()) else {
         return Err(Error::other(tr!("window-the-process-has-no-input-or")));
     };
-    let exercise = request.exercise.clone();
-    let writer = std::thread::spawn(move || {
-        write_request(&mut input, &request)?;
-        input.flush()?;
-        // The input stays open, because its end would end the worker.
-        Ok(input)
+    let (requests, asked) = channel::<WorkerRequest>();
+    std::thread::spawn(move || {
+        // The input stays open between requests, because its end would end the worker. A failure to write is ignored: the worker
+        // may have answered before it had read everything.
+        for request in asked {
+            let _ = write_request(&mut input, &request).and_then(|()| input.flush());
+        }
     });
-    let reader = std::thread::spawn(move || read_answer(output));
-    Ok(Worker { child, writer, reader, exercise })
+    let (answered, answers) = channel();
+    std::thread::spawn(move || {
+        loop {
+            let answer = read_answer(&mut output);
+            let is_last = !matches!(answer, Ok(Some(_)));
+            if answered.send(answer).is_err() || is_last {
+                return;
+            }
+        }
+    });
+    let mut worker = Worker { child, requests, answers, exercise: String::new(), is_alive: true };
+    worker.ask(request);
+    Ok(worker)
 }
 
 /// The options with which a process of gonio's own knows the course of this one.
@@ -125,28 +141,55 @@ pub(super) fn course_options() -> Vec<std::ffi::OsString> {
 }
 
 impl Worker {
+    /// Asks for another check, once the last one was answered.
+    pub fn ask(&mut self, request: WorkerRequest) {
+        self.exercise.clone_from(&request.exercise);
+        // If the process has ended, the wait for the answer tells.
+        let _ = self.requests.send(request);
+    }
+
+    /// Whether another check can be asked for: the last one did not end the process.
+    #[must_use]
+    pub fn is_alive(&self) -> bool {
+        self.is_alive
+    }
+
     /// Waits for the answer. A check that takes too long or too much memory, or that crashes its process, has a verdict on
     /// that.
     ///
     /// # Errors
     /// The reason why there is no verdict, in one sentence.
-    pub fn wait(mut self, patience: Duration, given_up: impl Fn() -> bool) -> Result<WorkerAnswer, String> {
-        let ended = child::wait(&mut self.child, patience, given_up);
-        let answer = self.reader.join().unwrap_or_else(|_| Err(tr!("window-its-answer-could-not-be-read").into()));
-        // A failure to write is ignored: the worker may have answered before it had read everything.
-        let _ = self.writer.join();
-        let without_pictures = |verdict| Ok(WorkerAnswer { verdict, page: None, thumbnail: None, sheet: None });
-        match ended.map_err(|error| tr!("window-the-check-could-not-be-monitored", error = error))? {
-            Ended::TooLong => without_pictures(Verdict::endless(&self.exercise, patience.as_secs())),
-            Ended::TooLarge => without_pictures(Verdict::too_large(&self.exercise)),
-            Ended::GivenUp => Err(tr!("window-the-check-was-stopped").into()),
-            Ended::ByItself(status) => match answer {
-                Ok(Some(answer)) => Ok(answer),
-                Ok(None) if status.code().is_none_or(is_crash) => without_pictures(Verdict::crashed(&self.exercise)),
-                Ok(None) => Err(tr!("window-the-check-ended-without-an-answer").into()),
-                Err(error) => Err(error),
-            },
+    pub fn wait(&mut self, patience: Duration, given_up: impl Fn() -> bool) -> Result<WorkerAnswer, String> {
+        let answer = |interval| self.answers.recv_timeout(interval).ok();
+        let waited = child::wait_for(&mut self.child, patience, child::MOST_RESIDENT_KB, given_up, answer);
+        if let Ok(Waited::Answered(Ok(Some(answer)))) = waited {
+            return Ok(answer);
         }
+        self.is_alive = false;
+        let without_pictures = |verdict| Ok(WorkerAnswer { verdict, page: None, thumbnail: None, sheet: None });
+        let monitored = |error| tr!("window-the-check-could-not-be-monitored", error = error);
+        let (status, answer) = match waited.map_err(monitored)? {
+            Waited::Ended(Ended::TooLong) => {
+                return without_pictures(Verdict::endless(&self.exercise, patience.as_secs()));
+            }
+            Waited::Ended(Ended::TooLarge) => return without_pictures(Verdict::too_large(&self.exercise)),
+            Waited::Ended(Ended::GivenUp) => return Err(tr!("window-the-check-was-stopped").into()),
+            Waited::Ended(Ended::ByItself(status)) => (status, self.answers.recv().unwrap_or(Ok(None))),
+            Waited::Answered(Err(error)) => return Err(error),
+            // Its output has ended, and so does the process.
+            Waited::Answered(answer) => (self.child.wait().map_err(monitored)?, answer),
+        };
+        match answer? {
+            Some(answer) => Ok(answer),
+            None if status.code().is_none_or(is_crash) => without_pictures(Verdict::crashed(&self.exercise)),
+            None => Err(tr!("window-the-check-ended-without-an-answer").into()),
+        }
+    }
+}
+
+impl Drop for Worker {
+    fn drop(&mut self) {
+        child::stop(&mut self.child);
     }
 }
 
@@ -156,18 +199,33 @@ fn is_crash(code: i32) -> bool {
     code < 0 || code == 101 || code == 134
 }
 
-/// Answers one request, in the worker process. `check` checks the submission.
+/// Answers requests in the worker process until the input ends. `check` checks a submission; `at_end` is called once the input
+/// has ended, perhaps during a check.
 ///
 /// # Errors
 /// Those of the two pipes; the parent sees the end of the process.
 pub fn serve(
     mut input: impl Read + Send + 'static,
     mut output: impl Write,
-    check: impl FnOnce(WorkerRequest) -> Result<WorkerAnswer, String>,
+    mut check: impl FnMut(WorkerRequest) -> Result<WorkerAnswer, String>,
+    at_end: impl FnOnce() + Send + 'static,
 ) -> Result<(), Error> {
-    let request = read_request(&mut input)?;
-    std::thread::spawn(move || end_with(input));
-    let answer = check(request);
+    let (read, requests) = channel();
+    std::thread::spawn(move || {
+        while let Ok(request) = read_request(&mut input) {
+            if read.send(request).is_err() {
+                return;
+            }
+        }
+        at_end();
+    });
+    for request in requests {
+        write_answer(&mut output, check(request))?;
+    }
+    Ok(())
+}
+
+fn write_answer(output: &mut impl Write, answer: Result<WorkerAnswer, String>) -> Result<(), Error> {
     let length = |bytes: &Option<Vec<u8>>| bytes.as_ref().map(|bytes| bytes.len() as u64);
     let (header, page, sheet) = match answer {
         Ok(WorkerAnswer { verdict, page, thumbnail, sheet }) => {
@@ -176,7 +234,7 @@ pub fn serve(
         }
         Err(error) => (AnswerHeader { verdict: Err(error), page: None, thumbnail: None, sheet: None }, None, None),
     };
-    write_header(&mut output, &header)?;
+    write_header(output, &header)?;
     for bytes in [page, sheet].into_iter().flatten() {
         output.write_all(&bytes)?;
     }
@@ -236,7 +294,7 @@ pub fn read_request(input: &mut impl Read) -> Result<WorkerRequest, Error> {
 }
 
 /// Reads the answer; `None` if the worker ended without one. An error is one sentence.
-fn read_answer(output: impl Read) -> Result<Option<WorkerAnswer>, String> {
+fn read_answer(output: &mut impl Read) -> AnswerRead {
     let mut output = output.take(MAX_ANSWER_BYTES);
     let unreadable = |error: Error| tr!("window-the-answer-of-the-check-could", error = error);
     let header = match read_header::<AnswerHeader>(&mut output) {
@@ -319,31 +377,27 @@ mod tests {
             sheet: None,
         };
         let answered = answer.clone();
-        // An endless input: its end would end this process.
-        let input = std::io::Cursor::new(sent.clone()).chain(Endless);
-        serve(input, &mut received, |got| {
+        // One request after the other, until the input ends.
+        let twice = std::io::Cursor::new(sent.clone()).chain(std::io::Cursor::new(sent.clone()));
+        let (ended, end) = channel();
+        let check = |got| {
             assert_eq!(got, request());
-            Ok(answered)
-        })
-        .unwrap();
-        assert_eq!(read_answer(received.as_slice()), Ok(Some(answer)));
+            Ok(answered.clone())
+        };
+        serve(twice, &mut received, check, move || ended.send(()).unwrap()).unwrap();
+        end.recv().unwrap();
+        let mut both = received.as_slice();
+        assert_eq!(read_answer(&mut both), Ok(Some(answer.clone())));
+        assert_eq!(received.len(), 2 * both.len());
+        assert_eq!(read_answer(&mut both), Ok(Some(answer)));
+        assert_eq!(read_answer(&mut both), Ok(None));
+        received.truncate(received.len() / 2);
         for length in 0..received.len() {
-            let cut = read_answer(&received[..length]);
+            let cut = read_answer(&mut &received[..length]);
             assert!(matches!(cut, Ok(None) | Err(_)), "cut at {length}: {cut:?}");
         }
         for length in 0..sent.len() {
             assert!(read_request(&mut &sent[..length]).is_err(), "cut at {length}");
-        }
-    }
-
-    /// An input that never ends.
-    struct Endless;
-
-    impl Read for Endless {
-        fn read(&mut self, _: &mut [u8]) -> Result<usize, Error> {
-            loop {
-                std::thread::park();
-            }
         }
     }
 

@@ -8,7 +8,7 @@ use crate::error::{CliError, CommandOutcome, io_reason};
 use crate::output::{OutputFiles, OutputPath, atomic};
 use crate::report::Reporter;
 
-use gonio_app::platform::desktop::worker::{self, WorkerAnswer};
+use gonio_app::platform::desktop::worker::{self, Worker, WorkerAnswer, WorkerRequest};
 use gonio_check::submission::{self, SourceFile};
 use gonio_check::verdict::{Outcome as Word, Verdict};
 use gonio_exercises::content_hash;
@@ -65,10 +65,11 @@ pub fn run(
     std::thread::scope(|scope| {
         for _ in 0..workers {
             scope.spawn(|| {
+                let mut process = ClassProcess { program: &program, worker: None, checks: 0 };
                 loop {
                     let index = next.fetch_add(1, Ordering::Relaxed);
                     let Some(submission) = class.submissions.get(index) else { return };
-                    let one = one(args, exercise, submission, &results, &program);
+                    let one = one(args, exercise, submission, &results, &mut process);
                     if let Ok(mut checked) = checked.lock() {
                         checked.push(one);
                         progress.set(checked.len() as f64 / class.submissions.len() as f64);
@@ -208,7 +209,7 @@ fn one(
     exercise: &Exercise,
     submission: &ClassMember,
     results: &Path,
-    program: &Path,
+    process: &mut ClassProcess<'_>,
 ) -> Result<Checked, CliError> {
     let label = submission.label.clone();
     let page = results.join(page_name(&label));
@@ -226,7 +227,7 @@ fn one(
     let WorkerAnswer { verdict, page: made, thumbnail, .. } = match gathered.left_out.first() {
         // A damaged zip, say, is the verdict about this submission alone.
         Some(reason) if gathered.files.is_empty() => unsure(exercise, reason.clone()),
-        _ => checked(args, exercise, gathered, &label, program)?,
+        _ => checked(args, exercise, gathered, &label, process)?,
     };
     let seconds = start.elapsed().as_secs_f64();
     let made = made.unwrap_or_else(|| report::page(&label, &verdict, None, &submission.gather().files).into_bytes());
@@ -244,18 +245,47 @@ fn unsure(exercise: &Exercise, reason: String) -> WorkerAnswer {
     WorkerAnswer { verdict, page: None, thumbnail: None, sheet: None }
 }
 
+/// Checks in one process: what a driver or the checker keeps of them must not grow without end.
+const MOST_CHECKS: usize = 50;
+
+/// A process that checks one submission after the other, until one of them ends it.
+struct ClassProcess<'a> {
+    program: &'a Path,
+    worker: Option<Worker>,
+    checks: usize,
+}
+
+impl ClassProcess<'_> {
+    /// The process with a request.
+    fn asked(&mut self, request: WorkerRequest) -> Result<&mut Worker, std::io::Error> {
+        self.worker.take_if(|worker| !worker.is_alive() || self.checks >= MOST_CHECKS);
+        let worker = match self.worker.take() {
+            Some(mut worker) => {
+                worker.ask(request);
+                worker
+            }
+            None => {
+                self.checks = 0;
+                worker::start(self.program, request, true)?
+            }
+        };
+        self.checks += 1;
+        Ok(self.worker.insert(worker))
+    }
+}
+
 /// The verdict, and the page and its thumbnail if the process got as far as making them.
 fn checked(
     args: &CheckArgs,
     exercise: &Exercise,
     gathered: GatheredFiles,
     label: &str,
-    program: &Path,
+    process: &mut ClassProcess<'_>,
 ) -> Result<WorkerAnswer, CliError> {
     let mut request = args.request(exercise, gathered);
     request.page = Some(label.to_owned());
     let not_started = |error| CliError::io("gonio cannot start itself for a check", &error);
-    let worker = worker::start(program, request, true).map_err(not_started)?;
+    let worker = process.asked(request).map_err(not_started)?;
     Ok(match worker.wait(args.patience(), || false) {
         Ok(answer) => answer,
         Err(reason) => unsure(exercise, reason),

@@ -231,7 +231,7 @@ fn check_one(
     request.sheet = args.sheet.is_some();
     let program = child_process::own_program()?;
     let not_started = |error| CliError::io("gonio cannot start itself for a check", &error);
-    let worker = worker::start(&program, request, false).map_err(not_started)?;
+    let mut worker = worker::start(&program, request, false).map_err(not_started)?;
     let answer = worker.wait(args.patience(), given_up).map_err(CliError::new)?;
     if given_up() {
         // Ctrl-C ended the worker too, which is no crash.

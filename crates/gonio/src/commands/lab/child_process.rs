@@ -78,34 +78,54 @@ pub fn end_with_the_caller() {
 /// Stack of the thread that reads, compiles and draws: drivers recurse along the shader. The system commits only what is used.
 const STACK_BYTES: usize = 256 << 20;
 
-/// Reads one request from stdin and writes one answer to stdout.
+/// Reads requests from stdin and writes the answers to stdout, until the caller ends.
 pub fn check_worker() -> Result<CommandOutcome, CliError> {
-    let failed = |error| CliError::io("cannot answer the check", &error);
-    worker::serve(std::io::stdin(), output_for_gonio(), |request| {
-        let checking = std::thread::Builder::new().stack_size(STACK_BYTES).spawn(move || check(request));
-        let checking = checking.map_err(|error| format!("cannot start the check: {error}"))?;
-        // The panic has been reported on stderr; without an answer the process counts as crashed.
-        checking.join().unwrap_or_else(|_| std::process::abort())
-    })
-    .map_err(failed)?;
+    let serve = || {
+        let mut ready = None;
+        // `exit` would wait for the driver.
+        worker::serve(
+            std::io::stdin(),
+            output_for_gonio(),
+            |request| check(request, &mut ready),
+            || std::process::abort(),
+        )
+    };
+    let serving = std::thread::Builder::new().stack_size(STACK_BYTES).spawn(serve);
+    let serving = serving.map_err(|error| CliError::io("cannot start the check", &error))?;
+    // A panic has been reported on stderr; without an answer the process counts as crashed.
+    let served = serving.join().unwrap_or_else(|_| std::process::abort());
+    served.map_err(|error| CliError::io("cannot answer the check", &error))?;
     Ok(CommandOutcome::Done)
 }
 
 /// Most bytes of a file that a page may show.
 const MAX_SHOWN_BYTES: usize = 1 << 20;
 
-fn check(request: WorkerRequest) -> Result<WorkerAnswer, String> {
+/// A checker with its OpenGL, kept from one check to the next.
+struct ReadyChecker {
+    es: bool,
+    checker: Checker,
+    _context: HeadlessContext,
+}
+
+fn ready_checker(es: bool, kept: &mut Option<ReadyChecker>) -> Result<&mut Checker, String> {
+    if kept.as_ref().is_none_or(|kept| kept.es != es) {
+        *kept = None;
+        let options = HeadlessOptions { es, ..Default::default() };
+        let context = HeadlessContext::with_options(&options).map_err(|error| error.message)?;
+        *kept = Some(ReadyChecker { es, checker: Checker::new(context.gl()), _context: context });
+    }
+    kept.as_mut().map(|kept| &mut kept.checker).ok_or_else(|| "there is no checker".to_owned())
+}
+
+fn check(request: WorkerRequest, kept: &mut Option<ReadyChecker>) -> Result<WorkerAnswer, String> {
     let exercise = exercise(&request.exercise).map_err(|error| error.to_string())?;
-    let context = HeadlessContext::with_options(&HeadlessOptions { es: request.es, ..Default::default() })
-        .map_err(|error| error.message)?;
-    let mut checker = Checker::new(context.gl());
+    let checker = ready_checker(request.es, kept)?;
     let feedback = request.feedback.unwrap_or(exercise.feedback);
     let is_shown = |file: &&SourceFile| request.page.is_some() && file.bytes.len() <= MAX_SHOWN_BYTES;
     let sources: Vec<SourceFile> = request.files.iter().filter(is_shown).cloned().collect();
-    let checked = gonio_exercises::check(&mut checker, exercise, request.files, &request.options, feedback);
+    let checked = gonio_exercises::check(checker, exercise, request.files, &request.options, feedback);
     let (mut verdict, evidence) = checked.map_err(|error| CliError::from(error).to_string())?;
-    // The process ends next, and the system frees it faster.
-    std::mem::forget((checker, context));
     verdict.warnings.extend(request.left_out);
     let page = request.page.map(|label| report::page(&label, &verdict, evidence.as_ref(), &sources).into_bytes());
     let drawn = evidence.as_ref();

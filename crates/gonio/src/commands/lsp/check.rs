@@ -57,7 +57,7 @@ pub fn start(
         // One core: the editor and its user need the others.
         let answer = worker::start(&program, request, true)
             .map_err(|error| error.to_string())
-            .and_then(|worker| worker.wait(patience, stops));
+            .and_then(|mut worker| worker.wait(patience, stops));
         if stops() {
             return;
         }
