@@ -87,8 +87,11 @@ fn words(name: &str) -> Option<&'static str> {
     WORDS.iter().find(|(known, _)| *known == name).map(|(_, id)| tr!(id))
 }
 
-/// A product of quantities in words: "the attenuation times the diffuse term".
+/// A quantity's name in words, or a product of such: "the attenuation times the diffuse term".
 fn product(name: &str) -> String {
+    if let Some(whole) = words(name) {
+        return whole.to_owned();
+    }
     let factors: Option<Vec<&str>> = name.split(" * ").map(words).collect();
     let product = factors.and_then(|factors| {
         let factors = factors.into_iter().map(str::to_owned);
@@ -100,7 +103,7 @@ fn product(name: &str) -> String {
 /// A right quantity in words: "the unit normal, in view space".
 #[must_use]
 pub fn quantity(quantity: &Quantity) -> String {
-    let name = words(&quantity.name).map_or_else(|| product(&quantity.name), str::to_owned);
+    let name = product(&quantity.name);
     let name = match quantity.space {
         Space::View => tr!("check-quantity-in-view-space", quantity = name),
         Space::World => name,
