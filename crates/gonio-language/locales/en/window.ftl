@@ -292,7 +292,6 @@ window-the-test-of-this-shader-was = the test of this shader was stopped
 ## platform/desktop/worker
 
 window-the-process-has-no-input-or = the process has no input or no output
-window-its-answer-could-not-be-read = its answer could not be read
 window-the-check-could-not-be-monitored = the check could not be monitored: { $error }
 window-the-check-was-stopped = the check was stopped
 window-the-answer-of-the-check-could = the answer of the check could not be understood: { $error }

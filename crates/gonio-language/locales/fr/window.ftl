@@ -307,7 +307,6 @@ window-the-test-of-this-shader-was = le test de ce shader a été arrêté
 ## platform/desktop/worker
 
 window-the-process-has-no-input-or = le processus n'a pas d'entrée ou pas de sortie
-window-its-answer-could-not-be-read = sa réponse n'a pas pu être lue
 window-the-check-could-not-be-monitored = la vérification n'a pas pu être surveillée : { $error }
 window-the-check-was-stopped = la vérification a été arrêtée
 window-the-answer-of-the-check-could = la réponse de la vérification n'a pas pu être comprise : { $error }
