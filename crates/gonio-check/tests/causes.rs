@@ -371,9 +371,8 @@ fn mistakes_with_wards_model_in_no_list_get_their_lines() {
     assert!(missed.is_empty(), "{missed:?}");
 }
 
-#[test]
-fn two_mistakes_have_their_lines_if_one_or_both_are_in_no_list() {
-    let fragment = "#version 330 core
+/// A right highlight of exercise 06, below [`IN_WORLD_SPACE`].
+const HIGHLIGHT: &str = "#version 330 core
 in vec3 n; in vec3 p;
 uniform vec3 light_pos, u_view_pos; uniform float shininess;
 out vec4 c;
@@ -385,6 +384,10 @@ void main() {
     c = vec4(vec3(s), 1.0);
 }
 ";
+
+#[test]
+fn two_mistakes_have_their_lines_if_one_or_both_are_in_no_list() {
+    let fragment = HIGHLIGHT;
     assert!(matches!(of_exercise("ex06", IN_WORLD_SPACE, fragment).found, Found::Right(_)));
     let by_model = IN_WORLD_SPACE.replace("mat3(itM)", "mat3(M)");
     let to_light = fragment.replace("light_pos - p", "light_pos - u_view_pos");
@@ -408,20 +411,10 @@ fn a_wrong_position_on_the_screen_in_no_list_has_its_line_alone_and_beside_a_wro
 /// The steps of the formula are right values, so that its sum is where it goes wrong.
 #[test]
 fn a_wrong_sign_in_the_formula_of_the_reflected_direction_is_one_mistake() {
-    let fragment = "#version 330 core
-in vec3 n; in vec3 p;
-uniform vec3 light_pos, u_view_pos; uniform float shininess;
-out vec4 c;
-void main() {
-    vec3 a = normalize(n);
-    vec3 l = normalize(light_pos - p);
-    vec3 r = 2.0 * dot(a, l) * a + l;
-    c = vec4(vec3(pow(max(dot(r, normalize(u_view_pos - p)), 0.0), shininess)), 1.0);
-}
-";
-    let right = of_exercise("ex06", IN_WORLD_SPACE, &fragment.replace("a + l", "a - l"));
+    let by_formula = |formula: &str| HIGHLIGHT.replace("reflect(-l, a)", formula);
+    let right = of_exercise("ex06", IN_WORLD_SPACE, &by_formula("2.0 * dot(a, l) * a - l"));
     assert!(matches!(right.found, Found::Right(_)), "{right:?}");
-    let diagnosis = of_exercise("ex06", IN_WORLD_SPACE, fragment);
+    let diagnosis = of_exercise("ex06", IN_WORLD_SPACE, &by_formula("2.0 * dot(a, l) * a + l"));
     assert_eq!(lines(&diagnosis), [8]);
     let Found::Causes(groups) = &diagnosis.found else { panic!("{diagnosis:?}") };
     assert_eq!(groups[0][0].should, "should be the reflected or refracted direction");

@@ -2,8 +2,8 @@
 //!
 //! The worker reads the files from its standard input and answers on its standard output, one request after the other; it opens no
 //! file but those of a course, and writes none. Its input stays open as long as the parent wants answers. When the parent
-//! ends, for any reason, the worker reads the end of its input and ends too. Both messages are a header (its length as 4 little-endian bytes, then JSON) followed by the bytes whose lengths
-//! the header states.
+//! ends, for any reason, the worker reads the end of its input and ends too. Both messages are a header (its length as 4
+//! little-endian bytes, then JSON) followed by the bytes whose lengths the header states.
 
 use super::child::{self, Ended, Waited};
 use gonio_check::CheckOptions;
@@ -18,7 +18,7 @@ use serde::{Deserialize, Serialize};
 use std::io::{Error, ErrorKind, Read, Write};
 use std::path::Path;
 use std::process::{Child, Stdio};
-use std::sync::mpsc::{Receiver, Sender, channel};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::time::Duration;
 
 /// The hidden command of `gonio` that calls [`serve`].
@@ -97,15 +97,16 @@ pub struct Worker {
     is_alive: bool,
 }
 
-/// Starts `program` on a request. With `one_core` a software driver uses one core, for one of many processes.
+/// Starts `program` on a request. With `one_core`, driver and checker use one core, for one of many processes.
 ///
 /// # Errors
 /// Those of starting a process.
 pub fn start(program: &Path, request: WorkerRequest, one_core: bool) -> Result<Worker, Error> {
     let mut command = child::command(program)?;
-    if !one_core {
-        command.env_remove("LP_NUM_THREADS");
-    }
+    match one_core {
+        true => command.env("RAYON_NUM_THREADS", "1"),
+        false => command.env_remove("LP_NUM_THREADS"),
+    };
     command.args(COMMAND).args(["--language", Language::current().code()]).stdin(Stdio::piped()).stdout(Stdio::piped());
     command.args(course_options());
     let mut child = command.spawn()?;
@@ -160,29 +161,31 @@ impl Worker {
     /// # Errors
     /// The reason why there is no verdict, in one sentence.
     pub fn wait(&mut self, patience: Duration, given_up: impl Fn() -> bool) -> Result<WorkerAnswer, String> {
-        let answer = |interval| self.answers.recv_timeout(interval).ok();
-        let waited = child::wait_for(&mut self.child, patience, child::MOST_RESIDENT_KB, given_up, answer);
-        if let Ok(Waited::Answered(Ok(Some(answer)))) = waited {
-            return Ok(answer);
-        }
-        self.is_alive = false;
-        let without_pictures = |verdict| Ok(WorkerAnswer { verdict, page: None, thumbnail: None, sheet: None });
-        let monitored = |error| tr!("window-the-check-could-not-be-monitored", error = error);
-        let (status, answer) = match waited.map_err(monitored)? {
-            Waited::Ended(Ended::TooLong) => {
-                return without_pictures(Verdict::endless(&self.exercise, patience.as_secs()));
-            }
-            Waited::Ended(Ended::TooLarge) => return without_pictures(Verdict::too_large(&self.exercise)),
-            Waited::Ended(Ended::GivenUp) => return Err(tr!("window-the-check-was-stopped").into()),
-            Waited::Ended(Ended::ByItself(status)) => (status, self.answers.recv().unwrap_or(Ok(None))),
-            Waited::Answered(Err(error)) => return Err(error),
+        let answer = |interval| match self.answers.recv_timeout(interval) {
+            Ok(answer) => answer.transpose(),
+            Err(RecvTimeoutError::Timeout) => None,
             // Its output has ended, and so does the process.
-            Waited::Answered(answer) => (self.child.wait().map_err(monitored)?, answer),
+            Err(RecvTimeoutError::Disconnected) => {
+                std::thread::sleep(interval);
+                None
+            }
         };
-        match answer? {
-            Some(answer) => Ok(answer),
-            None if status.code().is_none_or(is_crash) => without_pictures(Verdict::crashed(&self.exercise)),
-            None => Err(tr!("window-the-check-ended-without-an-answer").into()),
+        let waited = child::wait_for(&mut self.child, patience, child::MOST_RESIDENT_KB, given_up, answer);
+        self.is_alive = matches!(waited, Ok(Waited::Answered(Ok(_))));
+        let without_pictures = |verdict| Ok(WorkerAnswer { verdict, page: None, thumbnail: None, sheet: None });
+        let ended = match waited.map_err(|error| tr!("window-the-check-could-not-be-monitored", error = error))? {
+            Waited::Answered(answer) => return answer,
+            Waited::Ended(ended) => ended,
+        };
+        match ended {
+            Ended::TooLong => without_pictures(Verdict::endless(&self.exercise, patience.as_secs())),
+            Ended::TooLarge => without_pictures(Verdict::too_large(&self.exercise)),
+            Ended::GivenUp => Err(tr!("window-the-check-was-stopped").into()),
+            Ended::ByItself(status) => match self.answers.recv().unwrap_or(Ok(None))? {
+                Some(answer) => Ok(answer),
+                None if status.code().is_none_or(is_crash) => without_pictures(Verdict::crashed(&self.exercise)),
+                None => Err(tr!("window-the-check-ended-without-an-answer").into()),
+            },
         }
     }
 }

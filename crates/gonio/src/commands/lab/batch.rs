@@ -258,8 +258,7 @@ struct ClassProcess<'a> {
 impl ClassProcess<'_> {
     /// The process with a request.
     fn asked(&mut self, request: WorkerRequest) -> Result<&mut Worker, std::io::Error> {
-        self.worker.take_if(|worker| !worker.is_alive() || self.checks >= MOST_CHECKS);
-        let worker = match self.worker.take() {
+        let worker = match self.worker.take().filter(|worker| worker.is_alive() && self.checks < MOST_CHECKS) {
             Some(mut worker) => {
                 worker.ask(request);
                 worker

@@ -109,13 +109,15 @@ struct ReadyChecker {
 }
 
 fn ready_checker(es: bool, kept: &mut Option<ReadyChecker>) -> Result<&mut Checker, String> {
-    if kept.as_ref().is_none_or(|kept| kept.es != es) {
-        *kept = None;
-        let options = HeadlessOptions { es, ..Default::default() };
-        let context = HeadlessContext::with_options(&options).map_err(|error| error.message)?;
-        *kept = Some(ReadyChecker { es, checker: Checker::new(context.gl()), _context: context });
-    }
-    kept.as_mut().map(|kept| &mut kept.checker).ok_or_else(|| "there is no checker".to_owned())
+    let ready = match kept.take().filter(|kept| kept.es == es) {
+        Some(ready) => ready,
+        None => {
+            let options = HeadlessOptions { es, ..Default::default() };
+            let context = HeadlessContext::with_options(&options).map_err(|error| error.message)?;
+            ReadyChecker { es, checker: Checker::new(context.gl()), _context: context }
+        }
+    };
+    Ok(&mut kept.insert(ready).checker)
 }
 
 fn check(request: WorkerRequest, kept: &mut Option<ReadyChecker>) -> Result<WorkerAnswer, String> {
