@@ -1,7 +1,7 @@
 // The terms of the equation: on, off, alone.
 
 import assert from "node:assert/strict";
-import { differing, fromSum } from "./support/png.mjs";
+import { assertSame, differing, fromSum } from "./support/png.mjs";
 import { settled, suite } from "./support/lab.mjs";
 
 const { test } = suite();
@@ -69,7 +69,7 @@ test("every term is switched off and on, and the picture follows", async (lab) =
   const opened = await open(lab);
   const all = { ...Object.fromEntries([...SUMMANDS, ...FACTORS].map((term) => [term, "on"])), light: "shown", cosine: "shown" };
   assert.deepEqual(values(opened), all);
-  const whole = await lab.picture("pane-0");
+  const whole = await lab.still("pane-0");
   for (const term of [...SUMMANDS, ...FACTORS]) {
     const off = await lab.click(`term-${term}`);
     assert.deepEqual(values(off), { ...all, [term]: "off" }, term);
@@ -81,14 +81,14 @@ test("every term is switched off and on, and the picture follows", async (lab) =
     assert.ok(differing(whole, without) > 0.002, `${term} is off, and the picture is as it was`);
     const undone = await lab.key("Control+z");
     assert.deepEqual(undone.scene, opened.scene, term);
-    assert.equal(differing(whole, await lab.picture("pane-0"), 0), 0, `${term}: undone, and the picture is another one`);
+    assertSame(whole, await lab.still("pane-0"), `${term}: undone, and the picture is another one`);
   }
   // And on again by a click, as it was switched off.
   await lab.click("term-diffuse");
   const on = await lab.click("term-diffuse");
   assert.deepEqual(on.scene, opened.scene);
   await lab.park();
-  assert.equal(differing(whole, await lab.picture("pane-0"), 0), 0);
+  assertSame(whole, await lab.still("pane-0"));
 }, options);
 
 test("terms alone add up to the picture, and none at all are black", async (lab) => {
@@ -120,7 +120,7 @@ test("terms alone add up to the picture, and none at all are black", async (lab)
   await lab.click("terms-all");
   const again = await lab.click("term-environment");
   assert.deepEqual(again.scene, opened.scene);
-  assert.equal(differing(whole, await lab.saved(), 0), 0);
+  assertSame(whole, await lab.saved());
 }, options);
 
 test("a term alone is its debug view", async (lab) => {

@@ -1,7 +1,7 @@
 // Files that are dropped on the page.
 
 import assert from "node:assert/strict";
-import { differing } from "./support/png.mjs";
+import { assertSame, differing } from "./support/png.mjs";
 import { hdr, png, zip } from "./support/made.mjs";
 import { settled, suite } from "./support/lab.mjs";
 
@@ -63,7 +63,7 @@ test("a model, its materials and its texture are dropped together, in any order,
     seen.push(picture);
   }
   assert.notDeepEqual((await lab.state()).scene, first.scene);
-  for (const other of seen.slice(1)) assert.equal(differing(seen[0], other, 0), 0);
+  for (const other of seen.slice(1)) assertSame(seen[0], other);
 }, options);
 
 test("a model without its materials is shown, and the file that lacks is named until that is read", async (lab) => {
@@ -134,7 +134,7 @@ test("a file that cannot be read leaves everything as it was, and says where it 
     for (const { id } of state.messages) await lab.click(`dismiss-${id}`);
     assert.equal((await lab.rest()).error, null);
   }
-  assert.equal(differing(picture, await lab.saved(), 0), 0, "the picture is another one");
+  assertSame(picture, await lab.saved(), "the picture is another one");
   // And what was done before can still be undone.
   assert.equal((await lab.key("Control+z")).undo, false);
 }, options);
@@ -163,12 +163,12 @@ test("a panorama that is dropped is the environment", async (lab) => {
   await lab.key("Control+z");
   await lab.until((state) => settled(state) && state.scene.environment?.image === "sky.png");
   await lab.rest();
-  assert.equal(differing(below, await lab.saved(), 0), 0);
+  assertSame(below, await lab.saved());
   await lab.key("Control+z");
   const back = await lab.until((state) => settled(state) && !state.scene.environment);
   assert.deepEqual(back.scene, before.scene);
   await lab.rest();
-  assert.equal(differing(picture, await lab.saved(), 0), 0);
+  assertSame(picture, await lab.saved());
 }, options);
 
 test("a model and a panorama are dropped together", async (lab) => {

@@ -1,7 +1,7 @@
 // Keys: views, overlays, help, undo.
 
 import assert from "node:assert/strict";
-import { differing } from "./support/png.mjs";
+import { assertSame, differing } from "./support/png.mjs";
 import { settled, suite } from "./support/lab.mjs";
 
 const { test } = suite();
@@ -11,7 +11,7 @@ const options = { viewport: { width: 740, height: 560 } };
 test("number keys show quantities of the equation in place of the picture", async (lab) => {
   await lab.until(settled);
   await lab.park();
-  const picture = await lab.picture("pane-0");
+  const picture = await lab.still("pane-0");
   const views = ["normal", "light", "view", "reflection", "half", "diffuse", "specular", "depth", "uv"];
   const seen = [picture];
   for (const [index, name] of views.entries()) {
@@ -26,13 +26,13 @@ test("number keys show quantities of the equation in place of the picture", asyn
   }
   const back = await lab.key("0");
   assert.equal(back.pane_settings[0].view, null);
-  assert.equal(differing(picture, await lab.picture("pane-0"), 0), 0, "the picture is another one");
+  assertSame(picture, await lab.still("pane-0"), "the picture is another one");
 }, options);
 
 test("overlays and special views come and go by keys and by their buttons", async (lab) => {
   await lab.until(settled);
   await lab.park();
-  const picture = await lab.picture("pane-0");
+  const picture = await lab.still("pane-0");
   for (const [key, name] of [["Shift+W", "wireframe"], ["Shift+N", "normals"], ["Shift+B", "boxes"]]) {
     const state = await lab.key(key);
     assert.equal(state.pane_settings[0].overlays[name], true);
@@ -41,7 +41,7 @@ test("overlays and special views come and go by keys and by their buttons", asyn
     // Lines over the picture: more than none, less than all.
     assert.ok(share > 0.003 && share < 0.7, `${name}: ${share} of the picture`);
     await lab.key(key);
-    assert.equal(differing(picture, await lab.picture("pane-0"), 0), 0, `${name} did not go`);
+    assertSame(picture, await lab.still("pane-0"), `${name} did not go`);
   }
   for (const [key, name] of [["Shift+U", "uv-checker"], ["Shift+V", "overdraw"]]) {
     assert.equal((await lab.key(key)).pane_settings[0].special, name);
@@ -55,14 +55,14 @@ test("overlays and special views come and go by keys and by their buttons", asyn
 test("the list of keys opens and closes by its key", async (lab) => {
   await lab.until(settled);
   await lab.park();
-  const before = await lab.picture();
+  const before = await lab.still();
   assert.equal((await lab.key("?")).help, true);
   assert.ok(differing(before, await lab.picture()) > 0.2, "no list is seen");
   assert.equal((await lab.key("Escape")).help, false);
   assert.equal((await lab.click("help")).help, true);
   assert.equal((await lab.key("?")).help, false);
   await lab.park();
-  assert.equal(differing(before, await lab.picture(), 0), 0, "the window is another one");
+  assertSame(before, await lab.still(), "the window is another one");
 }, options);
 
 test("everything is undone and done again by keys, in its order", async (lab) => {

@@ -1,7 +1,7 @@
 // The application in the page: the scene, its samples, its graphics taken away and given back.
 
 import assert from "node:assert/strict";
-import { colors, differing } from "./support/png.mjs";
+import { assertSame, colors } from "./support/png.mjs";
 import { fetched, poll, settled, suite } from "./support/lab.mjs";
 
 const { test } = suite();
@@ -69,7 +69,7 @@ test("graphics that are taken away and given back bring the same picture", async
   await lab.page.mouse.up();
   const turned = await lab.until((state) => state.frame.pictures > before.frame.pictures + 1 && settled(state));
   await lab.page.mouse.move(2, 2);
-  const picture = await lab.picture("pane-0");
+  const picture = await lab.still("pane-0");
   await lab.page.evaluate(() => {
     // The page's own context has the extensions alone that it uses.
     const context = document.getElementById("lab").getContext("webgl2");
@@ -83,7 +83,7 @@ test("graphics that are taken away and given back bring the same picture", async
   assert.equal(again.tab, "Camera");
   assert.equal(await lab.trouble(), null);
   // The same machine and the same numbers: at most the panels' sizes had to be found anew.
-  assert.ok(differing(picture, await lab.picture("pane-0"), 0) === 0, "another picture");
+  assertSame(picture, await lab.still("pane-0"), "another picture");
   // And it goes on: what was undone before can be undone now.
   await lab.click("undo");
   await lab.until((state) => JSON.stringify(state.scene.camera) === JSON.stringify(before.scene.camera));

@@ -1,7 +1,7 @@
 // The lights: rows of the sum, and bulbs in the picture.
 
 import assert from "node:assert/strict";
-import { differing } from "./support/png.mjs";
+import { assertSame, differing } from "./support/png.mjs";
 import { settled, suite } from "./support/lab.mjs";
 
 const { test } = suite();
@@ -12,7 +12,7 @@ test("a light is switched off and on in its row, and shown alone", async (lab) =
   const opened = await lab.until(settled);
   assert.deepEqual(opened.scene.light.map(({ name }) => name), ["key", "fill", "rim", "ambient"]);
   await lab.park();
-  const whole = await lab.picture("pane-0");
+  const whole = await lab.still("pane-0");
   const off = await lab.click("light-0-on");
   assert.deepEqual(off.scene.light.map(({ enabled }) => enabled ?? true), [false, true, true, true]);
   assert.equal(off.widgets.find(({ id }) => id === "light-0").value, "off");
@@ -28,7 +28,7 @@ test("a light is switched off and on in its row, and shown alone", async (lab) =
   const all = await lab.click("light-2-alone");
   assert.deepEqual(all.scene, opened.scene);
   await lab.park();
-  assert.equal(differing(whole, await lab.picture("pane-0"), 0), 0, "another picture than at first");
+  assertSame(whole, await lab.still("pane-0"), "another picture than at first");
 }, options);
 
 test("a light is dragged in the picture", async (lab) => {
@@ -49,7 +49,7 @@ test("a light is dragged in the picture", async (lab) => {
   assert.ok(differing(whole, await lab.saved()) > 0.05, "the light moved, and the picture is as it was");
   const undone = await lab.key("Control+z");
   assert.deepEqual(undone.scene, opened.scene);
-  assert.equal(differing(whole, await lab.saved(), 0), 0);
+  assertSame(whole, await lab.saved());
 }, options);
 
 test("a lamp keeps under the pointer and its arms move it along one axis", async (lab) => {

@@ -1,7 +1,7 @@
 // A link that carries the scene.
 
 import assert from "node:assert/strict";
-import { differing } from "./support/png.mjs";
+import { assertSame } from "./support/png.mjs";
 import { CLIPBOARD, fetched, Lab, settled, suite } from "./support/lab.mjs";
 
 const shared = suite();
@@ -38,7 +38,7 @@ test("a link brings the same scene to somebody else", async (lab) => {
   const picture = await lab.saved();
   await elsewhere(link, async (other, state) => {
     assert.deepEqual([state.messages, state.scene], [[], sent.scene]);
-    assert.equal(differing(picture, await other.saved(), 0), 0, "the scene is the same, and its picture another one");
+    assertSame(picture, await other.saved(), "the scene is the same, and its picture another one");
   });
 }, options);
 

@@ -561,6 +561,80 @@ fn a_term_that_is_added_twice_is_wrong_in_the_sum() {
     assert_eq!((place.mistake.id.as_str(), line), ("ambient-twice", 12));
 }
 
+/// The first cause of a single error: its line, what it should be, and its mistake.
+fn single(diagnosis: &Diagnosis) -> (u32, &str, Option<&str>) {
+    let Found::Causes(groups) = &diagnosis.found else { panic!("{diagnosis:?}") };
+    assert_eq!(groups.len(), 1, "{groups:?}");
+    let cause = &groups[0][0];
+    (cause.span.line, cause.should.as_str(), cause.mistakes.first().map(|mistake| mistake.id.as_str()))
+}
+
+#[test]
+fn an_input_in_place_of_another_has_its_line() {
+    let right = LIT_IN_WORLD_SPACE.replace("SUM", "ambient + a * (diffuse + specular)");
+    assert!(matches!(of_exercise("ex07", IN_WORLD_SPACE, &right).found, Found::Right(_)));
+    let strengths = "float ka = light.ambient_strength;\n    vec3 ambient = ka *";
+    let named = right.replace("vec3 ambient = light.ambient_strength *", strengths);
+    let wrong = named.replace("ka = light.ambient_strength", "ka = light.diffuse_strength");
+    let found = of_exercise("ex07", IN_WORLD_SPACE, &wrong);
+    let (line, should, mistake) = single(&found);
+    assert_eq!((line, mistake), (9, None), "{should}");
+    assert!(should.contains("ambient strength"), "{should}");
+}
+
+#[test]
+fn a_colour_with_exchanged_channels_is_wrong_where_they_are_exchanged() {
+    let right = LIT_IN_WORLD_SPACE.replace("SUM", "ambient + a * (diffuse + specular)");
+    let found = of_exercise("ex07", IN_WORLD_SPACE, &right.replace("vec4(sum,", "vec4(sum.zyx,"));
+    assert_eq!((single(&found).0, single(&found).2), (13, None));
+}
+
+#[test]
+fn attenuation_has_the_name_of_the_term_that_it_belongs_to() {
+    let with_sum = |sum: &str| of_exercise("ex07", IN_WORLD_SPACE, &LIT_IN_WORLD_SPACE.replace("SUM", sum));
+    let twice = with_sum("ambient + a * (a * diffuse) + a * specular");
+    assert_eq!((single(&twice).0, single(&twice).2), (12, None));
+    // It is missing where the other term gets it, and not where the term is computed.
+    let missing = with_sum("ambient + diffuse + a * specular");
+    assert_eq!((single(&missing).0, single(&missing).2), (12, Some("diffuse-not-attenuated")));
+}
+
+#[test]
+fn terms_may_be_multiplied_in_any_way() {
+    let with_sum = |sum: &str| of_exercise("ex07", IN_WORLD_SPACE, &LIT_IN_WORLD_SPACE.replace("SUM", sum));
+    for sum in ["ambient + a * diffuse * specular", "(ambient + diffuse) * (a * specular)"] {
+        let found = with_sum(sum);
+        assert_eq!((single(&found).0, single(&found).2), (12, Some("terms-multiplied")), "{sum}");
+    }
+}
+
+#[test]
+fn a_strength_is_missing_where_a_function_is_called() {
+    let right = LIT_IN_WORLD_SPACE.replace("SUM", "ambient + a * (diffuse + specular)");
+    let function = "float lambert(vec3 n, vec3 l) { return max(dot(n, l), 0.0); }\nvoid main";
+    let called = right.replace("void main", function).replace("max(dot(N, L), 0.0) *", "lambert(N, L) *");
+    assert!(matches!(of_exercise("ex07", IN_WORLD_SPACE, &called).found, Found::Right(_)));
+    let found = of_exercise("ex07", IN_WORLD_SPACE, &called.replace("light.diffuse_strength * lambert", "lambert"));
+    assert_eq!((single(&found).0, single(&found).2), (11, Some("diffuse-strength-missing")));
+}
+
+/// Most of it is dark, which is as few colours as steps have.
+#[test]
+fn a_dark_picture_is_not_drawn_in_steps() {
+    let vertex = IN_VIEW_SPACE.replace("PLACE", "(V * M * vec4(position, 1.0)).xyz");
+    let fragment = "#version 330 core
+uniform mat4 V;
+in vec3 n; in vec3 p;
+out vec4 c;
+void main() {
+    vec3 a = normalize(n);
+    vec3 l = normalize(vec3(V * vec4(0.5, 0.5, -0.7, 1.0)) - a);
+    c = vec4(vec3(0.1 + max(dot(a, l), 0.0)), 1.0);
+}
+";
+    assert_eq!(explained(&of_exercise("ex04", &vertex, fragment)), ["light-direction-minus-normal"]);
+}
+
 #[test]
 fn programs_that_take_long_are_not_judged() {
     let start = "void main() {";

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { after, before, test } from "node:test";
 import { launch } from "./chromium.mjs";
-import { decode } from "./png.mjs";
+import { assertSame, decode, differing } from "./png.mjs";
 import { serve } from "./server.mjs";
 
 /** Milliseconds that a machine without a graphics card may need. No test is judged by it: it ends those that hang. */
@@ -250,6 +250,18 @@ export class Lab {
   async picture(id) {
     const clip = id === undefined ? undefined : await this.clip(id);
     return decode(await this.page.screenshot({ clip, timeout: PATIENCE }));
+  }
+
+  /** A screenshot that the next one is the same as: the browser shows what was painted a while later. */
+  async still(id) {
+    let before = await this.picture(id);
+    for (let turns = 0; turns < 20; turns++) {
+      const next = await this.picture(id);
+      if (before.width === next.width && before.height === next.height && differing(before, next, 0) === 0) return next;
+      before = next;
+    }
+    assertSame(before, await this.picture(id), "it never stands still");
+    return before;
   }
 
   async clip(id) {

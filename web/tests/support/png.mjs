@@ -1,5 +1,6 @@
 // Reads the pictures that a browser's screenshots are: PNG, 8 bits, RGB or RGBA, not interlaced (W3C, PNG 3, 2023).
 
+import { AssertionError } from "node:assert/strict";
 import { inflateSync } from "node:zlib";
 
 /** Width, height, and `at(x, y)`: red, green and blue, 0 to 255. */
@@ -68,6 +69,24 @@ export function differing(a, b, step = 2) {
     if (far(0) || far(1) || far(2)) count++;
   }
   return count / (a.width * a.height);
+}
+
+/** Fails unless all pixels of both pictures are the same, and says where and by how much they differ. */
+export function assertSame(a, b, message = "the pictures differ") {
+  if (differing(a, b, 0) === 0) return;
+  let [left, top, right, bottom, count, most] = [Infinity, Infinity, -1, -1, 0, 0];
+  for (let y = 0; y < a.height; y++) {
+    for (let x = 0; x < a.width; x++) {
+      const other = b.at(x, y);
+      const difference = Math.max(...a.at(x, y).map((value, channel) => Math.abs(value - other[channel])));
+      if (difference === 0) continue;
+      [left, top, right, bottom] = [Math.min(left, x), Math.min(top, y), Math.max(right, x), Math.max(bottom, y)];
+      count++;
+      most = Math.max(most, difference);
+    }
+  }
+  const where = `columns ${left} to ${right} and rows ${top} to ${bottom} of ${a.width}x${a.height}`;
+  throw new AssertionError({ message: `${message}: ${count} pixels in ${where} differ, by at most ${most}` });
 }
 
 /** How many different colours there are: an empty canvas has one. */

@@ -522,6 +522,8 @@ impl App {
                     self.opened.is_sample || self.opened.inputs.iter().all(|input| input.starts_with(BUILTIN));
                 self.session.is_new_sample = is_sample && !self.session.unframed;
                 self.sketched = None;
+                // No picture of this scene is complete yet.
+                self.session.facts.samples = 0;
                 self.session.sketching = self.pane_renderer.as_ref().is_some_and(PaneRenderer::sketches);
             }
             LoadRequest::Again(_) => {

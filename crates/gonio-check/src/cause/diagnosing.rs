@@ -240,7 +240,7 @@ impl Diagnosing<'_> {
             if lights == Lights::First && is_right_here() {
                 break;
             }
-            let mut search = Search::new(Observer { runner: &runner, model }, target, &explanations);
+            let mut search = Search::new(Observer { runner: &runner, model }, target, &explanations, lights);
             let found = search.run(tried);
             runs += search.runs();
             // Where no value is the mistake's own, the earliest is nearest to it.
@@ -269,7 +269,7 @@ impl Diagnosing<'_> {
                     explanations.iter().filter_map(|e| Some(e.mistakes.first()?.id.as_str())).collect();
                 Model::new(self.solutions, model.method, model.space, &of_model, exponent, Mistakes::These(&ids))
             };
-            let mut search = Search::new(Observer { runner: &runner, model }, target, &[]);
+            let mut search = Search::new(Observer { runner: &runner, model }, target, &[], lights);
             let found = search.beside_one(&explain, &in_model)?;
             runs += search.runs();
             if best.as_ref().is_none_or(|(known, _)| found.rank() < known.rank()) {

@@ -401,14 +401,13 @@ impl Model {
             model.leave_out_behind();
         }
         model.add_vectors_to_eye();
-        model.add_intermediate();
+        let inputs: Vec<Quantity> = STAGES.into_iter().flat_map(|stage| inputs(stage, given, method.model)).collect();
+        model.add_intermediate(&inputs);
         model.interpolate(samples);
         if space == Space::World {
             model.add_views(samples);
         }
-        for stage in [Stage::Vertex, Stage::Fragment] {
-            model.quantities.extend(inputs(stage, given, method.model));
-        }
+        model.quantities.extend(inputs);
         Ok(model)
     }
 
@@ -450,8 +449,8 @@ impl Model {
         self.quantities.extend(of_eye);
     }
 
-    /// Adds values that the model solutions compute within a line.
-    fn add_intermediate(&mut self) {
+    /// Adds values that programs compute within a line.
+    fn add_intermediate(&mut self, inputs: &[Quantity]) {
         for stage in STAGES {
             let of = |name: &str| self.right(name, stage, false).cloned();
             let (Some(normal), Some(to_light), Some(to_eye), reflected) = (of("N"), of("L"), of("V"), of("R")) else {
@@ -464,7 +463,8 @@ impl Model {
                 self.quantities.push(Quantity { name: name.to_owned(), stage, space, values, ..Quantity::default() });
             };
             super::products::products(&mut push, &|name: &str| {
-                of_stage.iter().find(|q| q.name == name).map(|q| &q.values)
+                let is_it = |q: &&Quantity| q.stage == stage && q.name == name;
+                of_stage.iter().chain(inputs).find(is_it).map(|q| &q.values)
             });
             let dot =
                 |a: &Values, b: &Values| a.map(1, |p, a, to| to[0] = a.iter().zip(b.at(p)).map(|(a, b)| a * b).sum());

@@ -1,7 +1,7 @@
 //! Names for proven repairs: the mistakes of the catalogue that assign the same wrong quantity to the same variable.
 
-use super::model::{Quantity, TELLING};
-use super::observed::{DIFFUSE_NAMES, Observed, Observer, SCALED, SPECULAR_NAMES, SUMS, TERMS, is_name};
+use super::model::{INPUTS, Quantity, TELLING};
+use super::observed::{Observed, Observer, SCALED, SUMS, TERMS, is_name};
 use super::program::Change;
 use super::repair::{Make, Relation, Repair};
 use super::right_change::RightChange;
@@ -121,56 +121,7 @@ pub(super) fn is_of_no_term(name: &str) -> bool {
     !["ambient", "diffuse", "specular"].iter().any(|term| is_about(name, term))
 }
 
-/// The mistakes that a missing or superfluous factor or summand may be, in an expression that contains these terms: the
-/// likeliest first.
-fn structural(should: &str, terms: &[&str], model: ModelSolution) -> Vec<&'static str> {
-    match should {
-        "* cos_theta" if model.has_roughness() => {
-            return vec!["specular-light-cosine-missing", "diffuse-without-cosine"];
-        }
-        "/ cos_theta" if model.has_roughness() => return vec!["specular-light-cosine-twice"],
-        "* PI" if model.has_roughness() => {
-            return vec!["lamp-missing", "specular-lamp-missing", "diffuse-lamp-missing"];
-        }
-        "/ PI" if model.has_roughness() => return vec!["specular-pi-missing", "diffuse-pi-missing"],
-        _ => {}
-    }
-    let has = |names: &[&str]| terms.iter().any(|term| names.contains(term));
-    let (both, of_diffuse, of_specular) = ("attenuation-missing", "diffuse-not-attenuated", "specular-not-attenuated");
-    if should == "* attenuation" {
-        return match (has(&DIFFUSE_NAMES), has(&SPECULAR_NAMES)) {
-            (false, true) => vec![of_specular, both, of_diffuse],
-            (true, false) => vec![of_diffuse, both, of_specular],
-            _ => vec![both, of_diffuse, of_specular],
-        };
-    }
-    vec![match should {
-        "/ attenuation" => "ambient-attenuated",
-        "* materialColour" => "albedo-missing",
-        "/ materialColour" => "albedo-squared",
-        "* light.ambient_strength" => "ambient-strength-missing",
-        "* light.diffuse_strength" => "diffuse-strength-missing",
-        "* light.specular_strength" => "specular-strength-missing",
-        "* cos_theta" => "diffuse-without-cosine",
-        "+ diffuse" | "+ cos_theta" | "+ dot(N, L)" => "diffuse-missing",
-        "+ specular" | "+ spec" => "specular-missing",
-        "+ ambient" => "ambient-missing",
-        "linear" => "gamma-applied",
-        _ => return Vec::new(),
-    }]
-}
-
 impl Observer<'_> {
-    /// The terms that an expression or its parts are.
-    fn terms_within(&self, observed: &[Observed], seen: &Observed) -> Vec<&str> {
-        let (first, last) = self.tokens(seen);
-        let is_within = |other: &&Observed| {
-            let (start, end) = self.tokens(other);
-            other.stage == seen.stage && start >= first && end <= last
-        };
-        observed.iter().filter(is_within).flat_map(|other| self.terms(other)).collect()
-    }
-
     /// Whether an expression is computed from a variable that a term was put into.
     fn reads_a_term(&self, seen: &Observed) -> bool {
         let program = self.runner.program;
@@ -214,6 +165,19 @@ impl Observer<'_> {
                     && arguments.is_some_and(|text| text.starts_with('('))
                     && other.values.is_same(&seen.values)
             })
+        };
+        // A factor that a right result lacks is missing at the call.
+        let lacks_factor = |seen: &Observed, repair: &Repair| {
+            let is_factor = |q: usize| {
+                INPUTS.iter().any(|(name, ..)| {
+                    let factor =
+                        self.model.right(name, seen.stage, false).filter(|factor| factor.size <= seen.values.size);
+                    let right = &self.model.quantities[q].values;
+                    right.size == seen.values.size
+                        && factor.is_some_and(|factor| seen.values.times(factor).is_same(right))
+                })
+            };
+            seen.is_given() && (repair.relation == Relation::Factor || repair.quantity().is_some_and(is_factor))
         };
         // A vector that should have length 1 may have any length until the last variable is set to it.
         let is_of_length = |seen: &Observed, repair: &Repair| match repair.make {
@@ -309,8 +273,7 @@ impl Observer<'_> {
             }
             let explains = |mistake: &Mistake| explaining.iter().any(|known| known.id == mistake.id);
             if names.is_empty() {
-                let of_form = structural(&repair.should, &self.terms_within(observed, seen), self.model.method.model);
-                let all: Vec<&'static Mistake> = of_form.iter().filter_map(|id| crate::mistakes::find(id)).collect();
+                let all = self.of_form(observed, seen, &repair);
                 let chosen = all.iter().copied().find(|mistake| explains(mistake));
                 names.extend(chosen.or(all.first().copied()).map(|mistake| (4, mistake)));
             }
@@ -351,7 +314,8 @@ impl Observer<'_> {
                 relation,
                 depth: seen.depth,
                 is_explained,
-                is_computed_elsewhere: is_call_of_another(seen) || is_elsewhere(seen, &repair),
+                is_computed_elsewhere: is_call_of_another(seen) && !lacks_factor(seen, &repair)
+                    || is_elsewhere(seen, &repair),
                 is_given: seen.is_given(),
                 is_only_read,
                 is_right_elsewhere,
@@ -381,7 +345,7 @@ impl Observer<'_> {
             .collect();
         // A factor is missing where the other terms get it.
         let with_factor: Vec<(Stage, usize)> = (all.iter())
-            .filter(|cause| !cause.is_given && cause.is_explained && cause.distance == 0)
+            .filter(|cause| !cause.is_given && cause.is_explained && cause.distance <= 1)
             .flat_map(|cause| {
                 let of_factor = |q: &usize| {
                     let quantity = &self.model.quantities[*q];
@@ -397,6 +361,15 @@ impl Observer<'_> {
             .collect();
         let is_factor_of_later = |cause: &ProvenCause| match cause.make {
             Make::Times(q) => with_factor.contains(&(cause.stage, q)),
+            // The same as another quantity.
+            Make::Quantity(q) => {
+                let (own, right) = (&observed[cause.repair.of].values, &self.model.quantities[q].values);
+                let mut factors = with_factor.iter().filter(|(stage, _)| *stage == cause.stage);
+                factors.any(|(_, factor)| {
+                    let factor = &self.model.quantities[*factor].values;
+                    factor.size <= own.size && own.size == right.size && own.times(factor).is_same(right)
+                })
+            }
             _ => false,
         };
         let rank = |cause: &ProvenCause| {
@@ -407,15 +380,19 @@ impl Observer<'_> {
             let name = (cause.mistakes.is_empty(), cause.distance.min(2), cause.relation);
             // A part of an expression that is the mistake itself, or a number within a formula.
             let is_number = cause.text.starts_with(|c: char| c.is_ascii_digit() || c == '.');
-            let is_part = cause.distance > 0 && (wrong.iter().any(is_within) || is_factor_of_later(cause))
+            let is_part = cause.distance > 0 && wrong.iter().any(is_within)
+                || (cause.distance > 0 || cause.is_given) && is_factor_of_later(cause)
                 || is_number && !self.runner.program.is_set_in_vector_or_alone(cause.stage, cause.expr);
             let is_after = earlier.iter().any(|wrong| *wrong < (cause.stage, cause.expr));
             let is_of_length =
                 cause.relation == Relation::Length && self.runner.program.is_whole_value(cause.stage, cause.expr);
             // A product with 1 has the value of an input, and is none.
             let is_product = observed[cause.repair.of].values.is_constant() && !is_name(&cause.text) && !is_number;
+            let right = cause.repair.quantity().map(|q| &self.model.quantities[q]);
+            let is_exchanged = cause.relation == Relation::Other && self.is_exchange(&observed[cause.repair.of], right);
             let is_use = !is_of_length
                 && !is_product
+                && !is_exchanged
                 && !is_copied(&observed[cause.repair.of])
                 && cause.is_given
                 && (cause.distance > 0 || is_after || wrong.iter().any(is_within));

@@ -208,25 +208,26 @@ impl Observer<'_> {
         for (seen, of) in observed.iter_mut().zip(&reads) {
             seen.defined_at = *of;
         }
+        let is_inside = |inner: usize, outer: usize| {
+            observed[inner].stage == observed[outer].stage
+                && tokens[inner].0 >= tokens[outer].0
+                && tokens[inner].1 <= tokens[outer].1
+                && tokens[inner] != tokens[outer]
+        };
+        // The parts of a right value may be anything.
+        let parts: Vec<Vec<usize>> = (0..observed.len())
+            .map(|at| {
+                let inside = || (0..observed.len()).filter(|inner| !is_given[at] && is_inside(*inner, at));
+                let right: Vec<usize> = inside().filter(|inner| right(&observed[*inner])).collect();
+                inside().filter(|inner| !right.iter().any(|outer| is_inside(*inner, *outer))).collect()
+            })
+            .collect();
         for _ in 0..DEEPEST {
             let mut is_changed = false;
-            for at in 0..observed.len() {
-                if is_given[at] {
-                    continue;
-                }
-                let (first, last) = tokens[at];
-                let stage = observed[at].stage;
-                let inside = || {
-                    (0..observed.len()).filter(|other| {
-                        observed[*other].stage == stage
-                            && tokens[*other].0 >= first
-                            && tokens[*other].1 <= last
-                            && tokens[*other] != (first, last)
-                    })
-                };
+            for at in (0..observed.len()).filter(|at| !is_given[*at]) {
                 let depth = match reads[at] {
                     Some(of) => observed[of].depth + 1,
-                    None => 1 + inside().map(|other| observed[other].depth).max().unwrap_or(0),
+                    None => 1 + parts[at].iter().map(|part| observed[*part].depth).max().unwrap_or(0),
                 };
                 let depth = depth.min(DEEPEST);
                 is_changed |= observed[at].depth != depth;

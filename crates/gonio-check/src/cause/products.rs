@@ -19,7 +19,10 @@ pub(super) fn products<'q>(push: &mut impl FnMut(&str, Values), of: &dyn Fn(&str
         let Some(values) = of(term) else { continue };
         let grey = values.map(3, |_, a, to| to.fill(a[0]));
         push(term, grey);
-        push(&format!("materialColour * {term}"), times(values, material));
+        // A sum in the object's colour has a line of its own, or lacks a term.
+        if !["lit", "attenuated"].contains(&term) {
+            push(&format!("materialColour * {term}"), times(values, material));
+        }
         if !["ambient", "lit", "attenuated"].contains(&term) {
             let attenuated = scaled(values, attenuation);
             push(&format!("attenuation * {term}"), attenuated.map(3, |_, a, to| to.fill(a[0])));

@@ -109,6 +109,12 @@ impl Program {
         self.stage(stage).inputs.iter().any(|input| input.name == text && is_given(input.rate))
     }
 
+    /// The text of a stage.
+    #[must_use]
+    pub fn source_text(&self, stage: Stage) -> &str {
+        &self.texts[stage as usize]
+    }
+
     /// Whether an expression is all that a variable is set to.
     #[must_use]
     pub fn is_whole_value(&self, stage: Stage, expr: ExprId) -> bool {
@@ -119,6 +125,17 @@ impl Program {
             .and_then(|text| text.trim_end().strip_suffix('='))
             .is_some_and(|rest| !rest.ends_with(['=', '<', '>', '!', '+', '-', '*', '/', '%', '&', '|', '^']));
         is_set && after.is_some_and(|text| text.trim_start().starts_with([';', ',']))
+    }
+
+    /// Whether an expression is compared with another one.
+    #[must_use]
+    pub fn is_compared(&self, stage: Stage, expr: ExprId) -> bool {
+        const COMPARISONS: [&str; 6] = ["==", "!=", "<=", ">=", "<", ">"];
+        let Some(span) = self.stage(stage).source.expression(expr).map(|expr| expr.span) else { return false };
+        let text = &self.texts[stage as usize];
+        let after = text.get(span.end as usize..).unwrap_or_default().trim_start();
+        let before = text.get(..span.start as usize).unwrap_or_default().trim_end();
+        COMPARISONS.iter().any(|comparison| after.starts_with(comparison) || before.ends_with(comparison))
     }
 
     /// The name of the variable that is set to an expression and to nothing else.

@@ -28,6 +28,23 @@ pub enum Relation {
     Other,
 }
 
+/// The cost of another input.
+const EXCHANGE: f32 = 3.0;
+/// Scalars and colours of the equation that may be missing in a product, or superfluous.
+pub(super) const FACTORS: [&str; 11] = [
+    "attenuation",
+    "materialColour",
+    "light.ambient_strength",
+    "light.diffuse_strength",
+    "light.specular_strength",
+    "d",
+    "cos_theta",
+    "shininess",
+    "spec",
+    "PI",
+    "roughness",
+];
+
 /// How the right values are made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Make {
@@ -92,7 +109,7 @@ impl Repair {
             Make::Unit => own.unit(),
             Make::NotNegative => each(&|x| x.max(0.0)),
             Make::Linear => each(&|x| x.max(0.0).powf(2.2)),
-            Make::Times(index) => with(&model.quantities[index].values, &|a, b| a * b),
+            Make::Times(index) => own.times(&model.quantities[index].values),
             Make::Over(index) => with(&model.quantities[index].values, &|a, b| a / b),
             Make::Plus(other) => with(&observed[other].values, &|a, b| a + b),
         };
@@ -131,6 +148,7 @@ impl Observer<'_> {
             let size = seen.values.size;
             let length = (text(seen).1 - text(seen).0) as f32;
             let is_literal = self.is_literal(seen);
+            let is_compared = self.runner.program.is_compared(seen.stage, seen.expr);
             // `vec3(ambient)` is as right as the number, and may only lack a colour.
             let grey = if seen.is.is_none() { seen.values.grey() } else { None };
             let is_right_grey = grey.is_some_and(|grey| self.recognise(seen.stage, &grey).is_some());
@@ -146,14 +164,17 @@ impl Observer<'_> {
                 if is_right_grey && is_of_number {
                     return;
                 }
-                // A right quantity may be used where another one belongs.
-                if is_right && relation > Relation::Length || is_bold && relation != Relation::Known {
+                // A right quantity may be used where another one belongs, and an input where another input does.
+                let is_exchanged = relation == Relation::Other && self.is_exchange(seen, quantity);
+                if is_right && relation > Relation::Length && !is_exchanged || is_bold && relation != Relation::Known {
                     return;
                 }
                 let is_whole = quantity.is_some_and(|q| SUMS.contains(&q.name.as_str()));
                 let extra = extra + if is_whole && relation == Relation::Other { 2.0 } else { 0.0 };
                 let extra = extra + if is_right { 2.0 } else { 0.0 } + if is_bold { 4.0 } else { 0.0 };
-                let cost = relation as u8 as f32 + extra + length * 0.002;
+                // There are few inputs, and what is computed from a wrong one may be another quantity.
+                let cost = if is_exchanged { EXCHANGE } else { relation as u8 as f32 + extra };
+                let cost = cost + length * 0.002;
                 all.push(Repair { of, relation, should, make, cost });
             };
             let known: Vec<&Quantity> = (model.quantities.iter())
@@ -181,6 +202,11 @@ impl Observer<'_> {
                 } else {
                     Relation::Other
                 };
+                // No number that varies should be a constant, nor one that decides something.
+                let is_number = relation == Relation::Other && size == 1 && right.is_constant();
+                if is_number && (!seen.values.is_constant() || is_compared) {
+                    continue;
+                }
                 // Where nothing resembles attenuated light, the plain term is tried.
                 if relation == Relation::Other && ["diffuse_light", "specular_light"].contains(&quantity.name.as_str())
                 {
@@ -231,23 +257,29 @@ impl Observer<'_> {
         all
     }
 
+    /// Whether an input stands where another one of its kind belongs.
+    pub(super) fn is_exchange(&self, seen: &Observed, right: Option<&Quantity>) -> bool {
+        const KINDS: [&[&str]; 3] = [
+            &["light.ambient_strength", "light.diffuse_strength", "light.specular_strength"],
+            &["light.constant", "light.linear", "light.quadratic"],
+            &["light_pos", "u_view_pos"],
+        ];
+        let Some(right) = right.filter(|_| self.is_input(seen)) else { return false };
+        let is_one = |name: &&&str| {
+            let is_it = |q: &Quantity| q.stage == seen.stage && q.mistake.is_none() && q.name == **name;
+            self.model.quantities.iter().any(|q| is_it(q) && q.values.is_same(&seen.values))
+        };
+        KINDS.iter().any(|kind| kind.contains(&right.name.as_str()) && kind.iter().any(|name| is_one(&name)))
+    }
+
     /// Products and quotients with scalars and colours of the equation.
     fn scaled(&self, observed: &[Observed], seen: &Observed, push: &mut impl FnMut(Relation, String, Make, f32)) {
-        const FACTORS: [&str; 11] = [
-            "attenuation",
-            "materialColour",
-            "light.ambient_strength",
-            "light.diffuse_strength",
-            "light.specular_strength",
-            "d",
-            "cos_theta",
-            "shininess",
-            "spec",
-            "PI",
-            "roughness",
-        ];
         // The numbers of a normalisation are no place for a factor that is missing elsewhere.
         if self.model.method.model.has_roughness() && seen.values.is_constant() {
+            return;
+        }
+        // A condition says nothing about how bright something is.
+        if self.runner.program.is_compared(seen.stage, seen.expr) {
             return;
         }
         for (index, quantity) in self.model.quantities.iter().enumerate() {

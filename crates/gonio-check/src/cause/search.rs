@@ -1,6 +1,7 @@
 //! The search for causes: expressions that, with another value, make the whole picture right.
 
 use super::explanation::Explanation;
+use super::influence::{Influence, Trial};
 use super::model::Model;
 use super::naming::ProvenCause;
 use super::observed::{DEEPEST, Observed, Observer, is_name};
@@ -9,11 +10,13 @@ use super::repair::{Make, Relation, Repair};
 use super::right_change::RightChange;
 use super::target::{Agreement, RightPicture, Seen};
 use super::values::Values;
+use crate::comparison::Lights;
 use crate::mistakes::Mistake;
 use gonio_glsl::Stage;
 use gonio_interpreter::PointValues;
 use gonio_threads::prelude::*;
 use gonio_threads::{HAS_THREADS, current_num_threads};
+use std::collections::BTreeMap;
 use std::ops::Range;
 
 /// The result of a search.
@@ -30,13 +33,13 @@ pub enum Found {
 }
 
 /// Most runs of a search.
-const MOST_RUNS: usize = 600;
+const MOST_RUNS: usize = 1_500;
 /// Most statements of a search for each run, all points together.
 const MOST_STATEMENTS: u64 = 10_000;
 /// Most runs for two causes, besides those for one.
 const MOST_RUNS_OF_PAIR: usize = 3_000;
 /// Most runs for the second of two causes.
-const MOST_RUNS_OF_SECOND: usize = 400;
+const MOST_RUNS_OF_SECOND: usize = 800;
 /// Most values that are tried as the first of two causes.
 const MOST_FIRSTS: usize = 16;
 /// Most pictures with a first cause repaired that are explained by mistakes.
@@ -48,6 +51,8 @@ const MOST_OF_POSITION: usize = 12;
 const MOST_FIRST_POSITIONS: usize = 2;
 /// Most repairs whose gain is measured.
 const MOST_MEASURED: usize = 240;
+/// The largest depth that counts against a result that does not say where the errors are.
+const MOST_UNROOTED: usize = 8;
 /// Repairs that are tried in parallel.
 const TRIED_AT_ONCE: usize = 8;
 
@@ -61,7 +66,8 @@ impl Found {
                 let is_sound = |group: &Vec<ProvenCause>| group.first().is_some_and(ProvenCause::is_sound);
                 let unsound = groups.iter().filter(|group| !is_sound(group)).count();
                 // Two errors are more likely than one in a value that is computed from wrong ones.
-                (groups.len() - 1) + 2 * unsound + if self.is_rooted() { 0 } else { 4 }
+                let errors = (groups.len() - 1) + 2 * unsound;
+                if self.is_rooted() { errors } else { errors + self.deepest_first().clamp(2, MOST_UNROOTED) + 2 }
             }
             Found::Nothing => usize::MAX,
         }
@@ -72,6 +78,16 @@ impl Found {
         match self {
             Found::Causes(groups) => groups.iter().flatten().map(|cause| cause.depth).min().unwrap_or(u32::MAX),
             _ => u32::MAX,
+        }
+    }
+
+    /// How far the best cause that is farthest from the program's inputs is from them: a whole formula is far.
+    fn deepest_first(&self) -> usize {
+        match self {
+            Found::Causes(groups) => {
+                groups.iter().filter_map(|group| group.first()).map(|cause| cause.depth as usize).max().unwrap_or(0)
+            }
+            _ => 0,
         }
     }
 
@@ -117,6 +133,8 @@ pub(crate) struct Search<'a> {
     target: &'a RightPicture,
     /// The mistakes that explain the picture, alternatives of each other.
     explanations: &'a [Explanation],
+    /// The lights of the picture.
+    lights: Lights,
     /// The scene that shows the influence of a value best: a black one shows none.
     telling: usize,
     runs: usize,
@@ -126,8 +144,26 @@ pub(crate) struct Search<'a> {
 impl<'a> Search<'a> {
     /// Creates a search.
     #[must_use]
-    pub fn new(at: Observer<'a>, target: &'a RightPicture, explanations: &'a [Explanation]) -> Self {
-        Search { at, target, explanations, telling: most_telling(at), runs: 0, statements: 0 }
+    pub fn new(at: Observer<'a>, target: &'a RightPicture, explanations: &'a [Explanation], lights: Lights) -> Self {
+        Search { at, target, explanations, lights, telling: most_telling(at), runs: 0, statements: 0 }
+    }
+
+    /// All repairs worth trying, by cost. Where a second light is off, its evaluations are not repaired: what is wrong shows in
+    /// those of the first.
+    fn repairs(&self, observed: &[Observed]) -> Vec<Repair> {
+        let mut all = self.at.repairs(observed);
+        if self.lights == Lights::First {
+            let mut recognised = BTreeMap::<u32, usize>::new();
+            for seen in observed.iter().filter(|seen| !seen.is_assignment) {
+                if let Some(occurrence) = seen.occurrence {
+                    *recognised.entry(occurrence).or_default() += usize::from(seen.is.is_some());
+                }
+            }
+            let most = recognised.values().copied().max().unwrap_or(0);
+            let is_of_first = |occurrence: u32| recognised.get(&occurrence).is_some_and(|count| *count == most);
+            all.retain(|repair| observed[repair.of].occurrence.is_none_or(is_of_first));
+        }
+        all
     }
 
     /// Ward's model has more quantities, each of which may stand at each place.
@@ -205,7 +241,7 @@ impl<'a> Search<'a> {
         tried: Tried,
         (most, end): (usize, usize),
     ) -> Vec<ProvenCause> {
-        let repairs = self.at.repairs(observed);
+        let repairs = self.repairs(observed);
         // A gamma curve is one repair at each colour, whatever else the colours are.
         let (mut known, others): (Vec<Repair>, Vec<Repair>) =
             repairs.into_iter().partition(|repair| repair.relation == Relation::Known || repair.make == Make::Linear);
@@ -217,7 +253,13 @@ impl<'a> Search<'a> {
         let depth = |repair: &Repair| {
             let seen = &observed[repair.of];
             let is_set = || self.at.runner.program.is_whole_value(seen.stage, seen.expr);
-            if seen.depth == 0 && repair.relation == Relation::Length && is_set() { 1 } else { seen.depth }
+            let is_misused = match repair.relation {
+                Relation::Length => is_set(),
+                // The wrong input.
+                Relation::Other => true,
+                _ => false,
+            };
+            if seen.depth == 0 && is_misused { 1 } else { seen.depth }
         };
         let first = proven.iter().map(depth).min().unwrap_or(DEEPEST + 1);
         // A right value may be computed from a wrong one, which makes it another quantity.
@@ -307,6 +349,13 @@ impl<'a> Search<'a> {
         let seconds = self.causes(&base, &again, explaining, tried, (MOST_RUNS_OF_SECOND, MOST_RUNS_OF_SECOND));
         let second = seconds.first().filter(|second| second.is_explained == is_explained)?;
         let both = second.repair.change(&again, self.at.model)?;
+        // A value in place of a whole expression needs no other within it.
+        let (inner, outer) = (&observed[first.of], &again[second.repair.of]);
+        let (within, around) = (self.at.tokens(inner), self.at.tokens(outer));
+        let is_part = inner.stage == outer.stage && around.0 <= within.0 && within.1 <= around.1;
+        if is_part && self.is_right(std::slice::from_ref(&both)) {
+            return None;
+        }
         let firsts = self.at.causes(std::slice::from_ref(&both), observed, std::slice::from_ref(first), explaining);
         let name = |group: &[ProvenCause]| Some(group.first()?.mistakes.first()?.id.clone());
         // Beside the second, the first is at the best of its places too.
@@ -385,7 +434,7 @@ impl<'a> Search<'a> {
             }
             let model = in_model(&explanations)?;
             let at = Observer { runner: self.at.runner, model: &model };
-            let mut beside = Search::new(at, self.target, &explanations);
+            let mut beside = Search::new(at, self.target, &explanations, self.lights);
             let mut again = at.observe(&base, all.clone());
             at.interpret(&mut again);
             let budget = (MOST_RUNS_OF_SECOND, MOST_RUNS_OF_SECOND);
@@ -403,7 +452,7 @@ impl<'a> Search<'a> {
 
     /// The repairs of wrong values of mistakes, the earliest first.
     fn known(&self, observed: &[Observed]) -> Vec<Repair> {
-        let mut known = self.at.repairs(observed);
+        let mut known = self.repairs(observed);
         known.retain(|repair| repair.relation == Relation::Known);
         known.sort_by_key(|repair| observed[repair.of].depth);
         known
@@ -432,7 +481,7 @@ impl<'a> Search<'a> {
         if wrong(self, &before, self.telling) != [true; 2] {
             return Vec::new();
         }
-        let mut repairs = self.at.repairs(observed);
+        let mut repairs = self.repairs(observed);
         repairs.retain(|repair| repair.quantity().is_some_and(|q| self.at.model.quantities[q].name == POSITION));
         repairs.sort_by_key(|repair| observed[repair.of].depth);
         let mut found = Vec::new();
@@ -456,7 +505,7 @@ impl<'a> Search<'a> {
         let model = self.at.model.in_first_scene(first);
         let at_first = Observer { runner: &Runner::new(self.at.runner.program, first), model: &model };
         let before = at_first.recognised(&[]);
-        let repairs = self.at.repairs(observed);
+        let repairs = self.repairs(observed);
         // A product or a sum with another value is rarely one that others are computed from.
         let is_other_value = |repair: &Repair| matches!(repair.make, Make::Quantity(_) | Make::Negative | Make::Unit);
         let firsts = repairs.into_iter().filter(|repair| observed[repair.of].depth == 1 && is_other_value(repair));
@@ -478,7 +527,9 @@ impl<'a> Search<'a> {
     /// Repairs are tried on all cores, some of them in vain; their results count as if each had waited for the one before.
     fn proven(&mut self, base: &[Change], observed: &[Observed], repairs: &[Repair], end: usize) -> Vec<Repair> {
         let mut proven = Vec::new();
-        let Some(mut influence) = Influence::new(self, base, observed.len()) else { return proven };
+        let telling = self.telling;
+        let Some(before) = self.see(base, telling..telling + 1) else { return proven };
+        let mut influence = Influence::new(self.at.runner, self.target, base, (telling, before), observed.len());
         let mut dearest = f32::INFINITY;
         for batch in repairs.chunks(if HAS_THREADS { TRIED_AT_ONCE } else { 1 }) {
             let cheap = batch.iter().take_while(|repair| repair.cost <= dearest);
@@ -514,104 +565,6 @@ impl<'a> Search<'a> {
             }
         }
         proven
-    }
-}
-
-/// One attempt, and its work.
-#[derive(Clone, Copy, Debug)]
-struct Trial {
-    is_positive: bool,
-    runs: usize,
-    statements: u64,
-}
-
-impl Trial {
-    /// Whether the picture is right with changes.
-    fn of_picture(runner: &Runner<'_>, target: &RightPicture, changes: &[Change]) -> Self {
-        let mut trial = Trial { is_positive: true, runs: 0, statements: 0 };
-        // Open strengths fit one scene more easily than all, so the first only excludes.
-        for scenes in [1, runner.samples.len()] {
-            trial.runs += scenes;
-            let seen = see(runner, changes, 0..scenes);
-            trial.statements += seen.as_ref().map_or(0, |seen| seen.statements);
-            trial.is_positive = seen.is_some_and(|seen| target.agrees(&seen).is_some());
-            if !trial.is_positive {
-                break;
-            }
-        }
-        trial
-    }
-}
-
-/// Whether values have an influence on all that is wrong in the picture: the colours, or the positions, or both.
-struct Influence<'b> {
-    base: &'b [Change],
-    telling: usize,
-    before: Seen,
-    is_colour_wrong: bool,
-    is_clip_wrong: bool,
-    /// For each observed value, whether it has, once tried.
-    known: Vec<Option<Trial>>,
-    is_counted: Vec<bool>,
-}
-
-impl<'b> Influence<'b> {
-    /// The influence of `count` values beside changes; `None` if a loop never ends.
-    fn new(search: &mut Search<'_>, base: &'b [Change], count: usize) -> Option<Self> {
-        let telling = search.telling;
-        let before = search.see(base, telling..telling + 1)?;
-        let runner = search.at.runner;
-        let points = |stage| runner.first_point(stage, telling)..runner.first_point(stage, telling + 1);
-        let [is_colour_wrong, is_clip_wrong] =
-            search.target.wrong_in(telling, &before, points(Stage::Fragment), points(Stage::Vertex));
-        let (known, is_counted) = (vec![None; count], vec![false; count]);
-        Some(Influence { base, telling, before, is_colour_wrong, is_clip_wrong, known, is_counted })
-    }
-
-    /// Tries the values of repairs that were not tried before.
-    fn try_all(&mut self, runner: &Runner<'_>, repairs: &[(&Repair, Option<Change>)]) {
-        let mut new: Vec<(usize, &Change)> = Vec::new();
-        for (repair, change) in repairs {
-            let Some(change) = change else { continue };
-            if self.known[repair.of].is_none() && new.iter().all(|(of, _)| *of != repair.of) {
-                new.push((repair.of, change));
-            }
-        }
-        let trials: Vec<(usize, Trial)> =
-            new.par_iter().map(|(of, change)| (*of, self.trial(runner, (*change).clone()))).collect();
-        for (of, trial) in trials {
-            self.known[of] = Some(trial);
-        }
-    }
-
-    fn trial(&self, runner: &Runner<'_>, mut noise: Change) -> Trial {
-        noise.values = noise.values.map(noise.values.size, |p, _, b| b.fill(p as f32 * 0.37 + 1.5));
-        let mut changes = self.base.to_vec();
-        changes.push(noise);
-        let after = see(runner, &changes, self.telling..self.telling + 1);
-        let statements = after.as_ref().map_or(0, |after| after.statements);
-        // A repair changes all that is wrong.
-        let is_positive = after.is_none_or(|after| {
-            let changes_colour = !after.colour.is_same(&self.before.colour);
-            let changes_clip = !after.clip.is_same(&self.before.clip);
-            match (self.is_colour_wrong, self.is_clip_wrong) {
-                (true, true) => changes_colour && changes_clip,
-                (true, false) => changes_colour,
-                (false, true) => changes_clip,
-                (false, false) => changes_colour || changes_clip,
-            }
-        });
-        Trial { is_positive, runs: 1, statements }
-    }
-
-    /// Whether a value that was tried has an influence.
-    fn is_in_picture(&self, of: usize) -> bool {
-        self.known[of].is_some_and(|trial| trial.is_positive)
-    }
-
-    /// The trial of a value, the first time that it is asked for.
-    fn first_trial(&mut self, of: usize) -> Option<Trial> {
-        if std::mem::replace(&mut self.is_counted[of], true) { None } else { self.known[of] }
     }
 }
 

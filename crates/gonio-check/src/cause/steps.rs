@@ -13,7 +13,9 @@ use std::collections::BTreeSet;
 const MOST_STEPS: usize = 8;
 /// Fewest steps in some scene: lit or not lit is no shading.
 const FEWEST_STEPS: usize = 3;
-/// Changes of the colour beyond those between steps: places where rounding decides.
+/// Fewest places of a step.
+const FEWEST_PLACES: usize = 3;
+/// Places that are of no step, where rounding decides, and steps that these split.
 const MOST_STRAYS: usize = 2;
 
 /// A colour in steps that no eye tells apart.
@@ -27,9 +29,14 @@ fn steps(cosines: &[f32], colours: &[f32]) -> Option<usize> {
     let colour = |at: usize| rounded(&colours[at * 3..][..3]);
     let mut order: Vec<usize> = (0..cosines.len()).filter(|at| cosines[*at].is_finite()).collect();
     order.sort_by(|a, b| cosines[*a].total_cmp(&cosines[*b]));
-    let distinct: BTreeSet<[i64; 3]> = order.iter().map(|at| colour(*at)).collect();
-    let changes = order.windows(2).filter(|pair| colour(pair[0]) != colour(pair[1])).count();
-    (!distinct.is_empty() && distinct.len() <= MOST_STEPS && changes < distinct.len() + MOST_STRAYS)
+    let runs: Vec<([i64; 3], usize)> =
+        order.chunk_by(|a, b| colour(*a) == colour(*b)).map(|run| (colour(run[0]), run.len())).collect();
+    // A slope has as many colours as places.
+    let (steps, strays): (Vec<_>, Vec<_>) = runs.into_iter().partition(|(_, places)| *places >= FEWEST_PLACES);
+    let distinct: BTreeSet<[i64; 3]> = steps.iter().map(|(colour, _)| *colour).collect();
+    let stray: usize = strays.iter().map(|(_, places)| places).sum();
+    let is_split = steps.len() >= distinct.len() + MOST_STRAYS;
+    (!distinct.is_empty() && distinct.len() <= MOST_STEPS && !is_split && stray <= MOST_STRAYS)
         .then_some(distinct.len())
 }
 
@@ -76,6 +83,8 @@ mod tests {
         assert_eq!(steps(&cosines, &grey(&|x| (x * 4.0).ceil() / 4.0)), Some(5));
         assert_eq!(steps(&cosines, &grey(&|_| 0.5)), Some(1));
         assert_eq!(steps(&cosines, &grey(&|x| x)), None);
+        // A dark picture with a few lit places.
+        assert_eq!(steps(&cosines, &grey(&|x| (x - 0.93).max(0.0))), None);
         // Steps of something else.
         assert_eq!(steps(&cosines, &grey(&|x| (x * 20.0).floor() % 2.0)), None);
     }

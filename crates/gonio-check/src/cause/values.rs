@@ -85,6 +85,16 @@ impl Values {
         made
     }
 
+    /// The products with other values; a single number of these multiplies each component.
+    #[must_use]
+    pub fn times(&self, other: &Values) -> Values {
+        self.map(self.size, |point, from, to| {
+            let other = other.at(point);
+            let numbers = to.iter_mut().zip(from).enumerate();
+            numbers.for_each(|(c, (to, from))| *to = from * other[c.min(other.len() - 1)]);
+        })
+    }
+
     /// The root mean square of all present numbers; 0 if there are none.
     #[must_use]
     pub fn root_mean_square(&self) -> f32 {
