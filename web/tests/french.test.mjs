@@ -59,7 +59,8 @@ test("exercise 04 is found, broken, judged and fixed by keys, in French, with a 
   const { word, mistakes, summary } = wrong.exercise.verdict;
   assert.deepEqual([word, mistakes], ["wrong", ["normal-by-model-matrix"]], summary);
   assert.match(summary, /normale/);
-  // The editor takes the focus to show the line; the student corrects it.
+  // The editor takes the focus to show the line, in the file where it is; the student corrects it.
+  await lab.until(({ exercise }) => exercise.file.endsWith(".vert"));
   await lab.rest();
   await tabTo(lab, "editor");
   const fix = await readFile(join(EXERCISE, "reference.vert"), "utf8");
