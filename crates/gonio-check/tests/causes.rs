@@ -618,6 +618,24 @@ fn a_strength_is_missing_where_a_function_is_called() {
     assert_eq!((single(&found).0, single(&found).2), (11, Some("diffuse-strength-missing")));
 }
 
+/// Beside another mistake, a varying that is read twice is wrong at both places, and not in the sum of what is computed from it.
+#[test]
+fn what_is_read_twice_beside_another_mistake_is_wrong_where_it_is_read() {
+    let right = LIT_IN_WORLD_SPACE.replace("SUM", "ambient + a * (diffuse + specular)");
+    let wrong = right
+        .replace("vec3 N = normalize(n), L", "vec3 L")
+        .replace("dot(N, ", "dot(n, ")
+        .replace("light.constant + light.linear * d", "light.linear * d");
+    let in_view = wrong
+        .replace("uniform Light light;", "uniform Light light; uniform mat4 V;")
+        .replace("light.light_pos - p", "vec3(V * vec4(light.light_pos, 1.0)) - p")
+        .replace("u_view_pos - p", "-p");
+    let vertex = IN_VIEW_SPACE.replace("PLACE", "(V * M * vec4(position, 1.0)).xyz");
+    let found = of_exercise("ex07", &vertex, &in_view);
+    assert_eq!(explained(&found), ["attenuation-without-constant", "normal-not-renormalised"]);
+    assert_eq!(lines(&found), [8, 10]);
+}
+
 /// Most of it is dark, which is as few colours as steps have.
 #[test]
 fn a_dark_picture_is_not_drawn_in_steps() {

@@ -220,7 +220,8 @@ impl<'a> Search<'a> {
         // A sum of wrong terms is not where the mistake is.
         if tried == Tried::Known
             && !single.is_at_mistakes()
-            && let Some(found) = self.at_each_read(&observed, &explaining(0))
+            && let Some(found) =
+                self.at_each_read(&[], &observed, &explaining(0)).map(|found| Found::Causes(vec![found]))
             && found.depth() < single.depth()
         {
             return found;
@@ -278,7 +279,12 @@ impl<'a> Search<'a> {
     }
 
     /// A variable whose wrong value is read at several places, or several times at one: all reads together are the cause.
-    fn at_each_read(&mut self, observed: &[Observed], explaining: &[&'static Mistake]) -> Option<Found> {
+    fn at_each_read(
+        &mut self,
+        base: &[Change],
+        observed: &[Observed],
+        explaining: &[&'static Mistake],
+    ) -> Option<Vec<ProvenCause>> {
         let known = self.known(observed);
         for (at, first) in known.iter().enumerate() {
             let text = self.at.text(&observed[first.of]);
@@ -292,15 +298,16 @@ impl<'a> Search<'a> {
             let all: Vec<&Repair> = known[at..].iter().filter(is_same).collect();
             let changes: Option<Vec<Change>> = all.iter().map(|one| one.change(observed, self.at.model)).collect();
             let Some(changes) = changes.filter(|changes| changes.len() > 1) else { continue };
-            if !self.is_right(&changes) {
+            if !self.is_right(&[base, &changes].concat()) {
                 continue;
             }
-            let mut found = self.at.causes(&changes[1..], observed, std::slice::from_ref(first), explaining);
+            let others = [base, &changes[1..]].concat();
+            let mut found = self.at.causes(&others, observed, std::slice::from_ref(first), explaining);
             let Some(cause) = found.first_mut() else { continue };
             let others = all.iter().skip(1);
             cause.also.extend(others.clone().map(|other| (observed[other.of].stage, observed[other.of].expr)));
             cause.right.extend(others.map(|other| RightChange::new(other, observed, self.at.model)));
-            return Some(Found::Causes(vec![found]));
+            return Some(found);
         }
         None
     }
@@ -346,17 +353,30 @@ impl<'a> Search<'a> {
         let mut again = self.at.observe(&base, 0..self.at.runner.samples.len());
         self.at.interpret(&mut again);
         let tried = if is_explained { Tried::Known } else { Tried::All };
-        let seconds = self.causes(&base, &again, explaining, tried, (MOST_RUNS_OF_SECOND, MOST_RUNS_OF_SECOND));
+        let mut seconds = self.causes(&base, &again, explaining, tried, (MOST_RUNS_OF_SECOND, MOST_RUNS_OF_SECOND));
+        // A sum of wrong terms is not where the second one is.
+        let depth = |causes: &[ProvenCause]| causes.iter().map(|cause| cause.depth).min().unwrap_or(u32::MAX);
+        if is_explained
+            && seconds.iter().all(|second| second.distance > 0)
+            && let Some(found) = self.at_each_read(&base, &again, explaining)
+            && depth(&found) < depth(&seconds)
+        {
+            seconds = found;
+        }
         let second = seconds.first().filter(|second| second.is_explained == is_explained)?;
-        let both = second.repair.change(&again, self.at.model)?;
+        let mut both = vec![second.repair.change(&again, self.at.model)?];
+        // At other places too.
+        for right in second.right.iter().skip(1) {
+            both.extend(right.change(self.at.runner, self.at.model, &base));
+        }
         // A value in place of a whole expression needs no other within it.
         let (inner, outer) = (&observed[first.of], &again[second.repair.of]);
         let (within, around) = (self.at.tokens(inner), self.at.tokens(outer));
         let is_part = inner.stage == outer.stage && around.0 <= within.0 && within.1 <= around.1;
-        if is_part && self.is_right(std::slice::from_ref(&both)) {
+        if is_part && self.is_right(&both) {
             return None;
         }
-        let firsts = self.at.causes(std::slice::from_ref(&both), observed, std::slice::from_ref(first), explaining);
+        let firsts = self.at.causes(&both, observed, std::slice::from_ref(first), explaining);
         let name = |group: &[ProvenCause]| Some(group.first()?.mistakes.first()?.id.clone());
         // Beside the second, the first is at the best of its places too.
         let firsts = match name(&firsts) != name(&seconds) {
@@ -384,18 +404,17 @@ impl<'a> Search<'a> {
     /// The places of a named mistake beside another change, the best first; those that are known if there are no others.
     fn at_best_place(
         &mut self,
-        other: &Change,
+        base: &[Change],
         known: Vec<ProvenCause>,
         explaining: &[&'static Mistake],
     ) -> Vec<ProvenCause> {
         if !known.first().is_some_and(ProvenCause::is_sound) {
             return known;
         }
-        let base = [other.clone()];
-        let mut observed = self.at.observe(&base, 0..self.at.runner.samples.len());
+        let mut observed = self.at.observe(base, 0..self.at.runner.samples.len());
         self.at.interpret(&mut observed);
         let end = self.runs + MOST_RUNS_OF_SECOND;
-        let found = self.causes(&base, &observed, explaining, Tried::Known, (MOST_RUNS_OF_SECOND, end));
+        let found = self.causes(base, &observed, explaining, Tried::Known, (MOST_RUNS_OF_SECOND, end));
         let name = |causes: &[ProvenCause]| causes.first().and_then(|cause| cause.mistakes.first()).map(|m| &m.id);
         if name(&found) == name(&known) { found } else { known }
     }
@@ -443,7 +462,7 @@ impl<'a> Search<'a> {
             let Some(both) = seconds.first().and_then(|second| second.repair.change(&again, &model)) else { continue };
             let firsts = self.at.causes(std::slice::from_ref(&both), &observed, std::slice::from_ref(&first), &[]);
             if !firsts.is_empty() {
-                let firsts = self.at_best_place(&both, firsts, &[]);
+                let firsts = self.at_best_place(std::slice::from_ref(&both), firsts, &[]);
                 return Ok(Found::Causes(vec![firsts, seconds]));
             }
         }

@@ -4,6 +4,7 @@
 use crate::cause::edit::TextFix;
 use crate::cause::naming::ProvenCause;
 use crate::cause::place::MistakePlace;
+use crate::cause::repair::Relation;
 use crate::cause::search::Found;
 use crate::cause::{
     AnswerMethod, Diagnosis, DiagnosisDepth, Space, answer_methods, diagnose, is_absent, peculiarities,
@@ -308,14 +309,19 @@ impl Judging<'_> {
         let is_long = self.task.model.has_roughness();
         // In a long formula, and beside another mistake, the proof is often a value that is computed from the mistake's own
         // wrong value, or the only use of a variable that is set to it. Where the sum is wrong, it may be one of its terms.
+        // A vector that lacks its length lacks it where it is set.
+        let lacks_length = |cause: &ProvenCause| cause.relation == Relation::Length && cause.is_given;
         let is_of_place = |cause: &ProvenCause, place: &MistakePlace| match first.mistakes.len() {
+            _ if lacks_length(cause) => false,
             0 | 1 => (is_long || place.is_sum || place.is_computed && !place.is_given) && cause.distance > 0,
             _ => {
                 let is_same_stage = cause.stage == place.stage;
                 // A variable or a varying is wrong where it is set.
                 let is_read = is_same_stage && cause.is_only_read
                     || place.is_copy && cause.is_given && (is_same_stage || place.stage == Stage::Vertex);
-                place.is_computed && (cause.distance > 0 || is_read)
+                // A sum lacks a factor of a right term.
+                let is_sum_of_right = cause.distance == 1 && place.is_given;
+                place.is_computed && (cause.distance > 0 && !is_sum_of_right || is_read)
             }
         };
         let mut causes: Vec<&ProvenCause> = groups.iter().filter_map(|group| group.first()).collect();
