@@ -636,6 +636,19 @@ fn what_is_read_twice_beside_another_mistake_is_wrong_where_it_is_read() {
     assert_eq!(lines(&found), [8, 10]);
 }
 
+/// The object's colour is open, but it is the same for all terms.
+#[test]
+fn a_strength_of_another_term_is_wrong_although_the_colour_is_written_in_the_source() {
+    let right = LIT_IN_WORLD_SPACE
+        .replace("SUM", "ambient + a * (diffuse + specular)")
+        .replace("materialColour", "vec3(0.5, 0.6, 0.8)")
+        .replace(", vec3(0.5, 0.6, 0.8);", ";");
+    assert!(matches!(of_exercise("ex07", IN_WORLD_SPACE, &right).found, Found::Right(_)));
+    let found =
+        of_exercise("ex07", IN_WORLD_SPACE, &right.replace("light.diffuse_strength *", "light.specular_strength *"));
+    assert!(!matches!(found.found, Found::Right(_)), "{found:?}");
+}
+
 /// Most of it is dark, which is as few colours as steps have.
 #[test]
 fn a_dark_picture_is_not_drawn_in_steps() {

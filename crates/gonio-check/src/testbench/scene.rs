@@ -275,7 +275,14 @@ pub fn lit() -> Vec<TestScene> {
         world_from_model: placed([-0.5, -0.4, -0.4], [0.0, 30.0, 40.0], [0.5, 0.8, 0.6]),
         eye: Vec3::new(0.4, -0.2, 2.2),
         target: Vec3::new(-0.5, -0.4, -0.4),
-        light: TestLight { position: Vec3::new(1.2, 0.6, 1.4), ambient: 0.2, ..LAB_LIGHT },
+        // The other scenes do not tell the diffuse strength from a multiple of the specular one.
+        light: TestLight {
+            position: Vec3::new(1.2, 0.6, 1.4),
+            ambient: 0.2,
+            diffuse: 0.65,
+            specular: 0.5,
+            ..LAB_LIGHT
+        },
         material: Vec3::new(0.85, 0.4, 0.15),
         shininess: 12.0,
         roughness: 0.4,
