@@ -3,7 +3,6 @@
 use super::model::Quantity;
 use super::observed::{DIFFUSE_NAMES, Observed, Observer, SPECULAR_NAMES, SUMS, TERMS};
 use super::repair::{FACTORS, Repair};
-use super::values::Values;
 use crate::mistakes::{Mistake, ModelSolution};
 
 /// The mistakes that a missing or superfluous factor or summand may be, in an expression that contains these terms: the
@@ -60,30 +59,18 @@ impl Observer<'_> {
 
     /// The terms that an expression or its parts are.
     fn terms_within(&self, observed: &[Observed], seen: &Observed) -> Vec<&str> {
-        let (first, last) = self.tokens(seen);
-        let is_within = |other: &&Observed| {
-            let (start, end) = self.tokens(other);
-            other.stage == seen.stage && start >= first && end <= last
-        };
-        observed.iter().filter(is_within).flat_map(|other| self.terms(other)).collect()
+        observed.iter().filter(|other| self.is_within(other, seen)).flat_map(|other| self.terms(other)).collect()
     }
 
     /// Whether an expression has a product of different terms.
     fn multiplies_terms(&self, observed: &[Observed], seen: &Observed) -> bool {
         let source = &self.runner.program.stage(seen.stage).source;
         let text = self.runner.program.source_text(seen.stage);
-        let (first, last) = self.tokens(seen);
-        let is_within = |other: &&Observed| {
-            let (start, end) = self.tokens(other);
-            other.stage == seen.stage && start >= first && end <= last
-        };
-        let within: Vec<&Observed> = observed.iter().filter(is_within).collect();
+        let within: Vec<&Observed> = observed.iter().filter(|other| self.is_within(other, seen)).collect();
         let span = |of: &Observed| source.expressions[of.expr.0 as usize].span;
         let kinds = |of: &Observed| {
-            let (start, end) = self.tokens(of);
-            let inside = within.iter().filter(|other| self.tokens(other).0 >= start && self.tokens(other).1 <= end);
             let mut kinds = [false; 3];
-            for other in inside {
+            for other in within.iter().filter(|other| self.is_within(other, of)) {
                 let is = other.is.map(|is| self.model.quantities[is].name.as_str());
                 let is_multiple = |q: &&Quantity| {
                     q.stage == seen.stage && q.mistake.is_none() && other.values.factor_of(&q.values).is_some()
@@ -114,13 +101,11 @@ impl Observer<'_> {
     /// The factor by which a value differs from a right quantity, as repairs by factors write it.
     fn form(&self, repair: &Repair, seen: &Observed) -> Option<String> {
         let right = &self.model.quantities[repair.quantity()?];
-        let is_product = |a: &Values, factor: &Values, of: &Values| {
-            a.size == of.size && factor.size <= a.size && a.times(factor).is_same(of)
-        };
         FACTORS.iter().find_map(|name| {
             let factor = self.model.right(name, seen.stage, false)?;
             let of_ambient = *name == "cos_theta" && right.name.ends_with("ambient");
-            match (is_product(&seen.values, factor, &right.values), is_product(&right.values, factor, &seen.values)) {
+            let (own, right) = (&seen.values, &right.values);
+            match (own.is_factor_of(factor, right), right.is_factor_of(factor, own)) {
                 (true, _) => Some(format!("* {name}")),
                 (_, true) if of_ambient => Some("/ cos_theta of ambient".to_owned()),
                 (_, true) => Some(format!("/ {name}")),

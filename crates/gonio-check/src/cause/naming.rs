@@ -170,11 +170,8 @@ impl Observer<'_> {
         let lacks_factor = |seen: &Observed, repair: &Repair| {
             let is_factor = |q: usize| {
                 INPUTS.iter().any(|(name, ..)| {
-                    let factor =
-                        self.model.right(name, seen.stage, false).filter(|factor| factor.size <= seen.values.size);
-                    let right = &self.model.quantities[q].values;
-                    right.size == seen.values.size
-                        && factor.is_some_and(|factor| seen.values.times(factor).is_same(right))
+                    let factor = self.model.right(name, seen.stage, false);
+                    factor.is_some_and(|factor| seen.values.is_factor_of(factor, &self.model.quantities[q].values))
                 })
             };
             seen.is_given() && (repair.relation == Relation::Factor || repair.quantity().is_some_and(is_factor))
@@ -349,10 +346,8 @@ impl Observer<'_> {
             .flat_map(|cause| {
                 let of_factor = |q: &usize| {
                     let quantity = &self.model.quantities[*q];
-                    let (first, last) = self.tokens(&observed[cause.repair.of]);
                     observed.iter().any(|other| {
-                        let within = self.tokens(other);
-                        let is_inside = other.stage == cause.stage && within.0 >= first && within.1 <= last;
+                        let is_inside = self.is_within(other, &observed[cause.repair.of]);
                         is_inside && is_name(self.text(other)) && other.is == Some(*q) && quantity.stage == cause.stage
                     })
                 };
@@ -365,10 +360,7 @@ impl Observer<'_> {
             Make::Quantity(q) => {
                 let (own, right) = (&observed[cause.repair.of].values, &self.model.quantities[q].values);
                 let mut factors = with_factor.iter().filter(|(stage, _)| *stage == cause.stage);
-                factors.any(|(_, factor)| {
-                    let factor = &self.model.quantities[*factor].values;
-                    factor.size <= own.size && own.size == right.size && own.times(factor).is_same(right)
-                })
+                factors.any(|(_, factor)| own.is_factor_of(&self.model.quantities[*factor].values, right))
             }
             _ => false,
         };

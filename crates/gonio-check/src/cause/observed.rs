@@ -259,6 +259,12 @@ impl Observer<'_> {
         (tokens.first, tokens.last)
     }
 
+    /// Whether an expression is another one or a part of it.
+    pub(super) fn is_within(&self, inner: &Observed, outer: &Observed) -> bool {
+        let ((start, end), (first, last)) = (self.tokens(inner), self.tokens(outer));
+        inner.stage == outer.stage && start >= first && end <= last
+    }
+
     /// The terms of the equation that a value is, up to a constant factor, right or with a known mistake.
     pub(super) fn terms(&self, seen: &Observed) -> Vec<&str> {
         let of_term = |q: &&Quantity| {

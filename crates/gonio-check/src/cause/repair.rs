@@ -132,13 +132,9 @@ impl Observer<'_> {
         // The terms that each expression is, right or with a known mistake.
         let terms: Vec<Vec<&str>> = observed.iter().map(|seen| self.terms(seen)).collect();
         let contains_any = |seen: &Observed, names: &[&str]| {
-            let (first, last) = self.tokens(seen);
             observed.iter().zip(&terms).any(|(other, terms)| {
-                let within = self.tokens(other);
-                other.stage == seen.stage
-                    && within.0 >= first
-                    && within.1 <= last
-                    && within != (first, last)
+                self.is_within(other, seen)
+                    && self.tokens(other) != self.tokens(seen)
                     && terms.iter().any(|term| names.contains(term))
             })
         };
@@ -291,11 +287,7 @@ impl Observer<'_> {
             let unusual = if ["cos_theta", "spec", "shininess", "d"].contains(&name) { 2.0 } else { 0.0 };
             push(Relation::Factor, format!("* {name}"), Make::Times(index), unusual);
             // A superfluous factor is part of the expression.
-            let (first, last) = self.tokens(seen);
-            let is_part = |other: &&Observed| {
-                let within = self.tokens(other);
-                other.stage == seen.stage && within.0 >= first && within.1 <= last && within != (first, last)
-            };
+            let is_part = |other: &&Observed| self.is_within(other, seen) && self.tokens(other) != self.tokens(seen);
             if observed.iter().filter(is_part).any(|part| part.values.is_same(&quantity.values)) {
                 push(Relation::Factor, format!("/ {name}"), Make::Over(index), unusual + 0.2);
             }

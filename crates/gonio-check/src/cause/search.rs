@@ -256,7 +256,7 @@ impl<'a> Search<'a> {
             let is_set = || self.at.runner.program.is_whole_value(seen.stage, seen.expr);
             let is_misused = match repair.relation {
                 Relation::Length => is_set(),
-                // The wrong input.
+                // The wrong input or number.
                 Relation::Other => true,
                 _ => false,
             };
@@ -365,15 +365,13 @@ impl<'a> Search<'a> {
         }
         let second = seconds.first().filter(|second| second.is_explained == is_explained)?;
         let mut both = vec![second.repair.change(&again, self.at.model)?];
-        // At other places too.
+        // What is read at several places is repaired at each.
         for right in second.right.iter().skip(1) {
             both.extend(right.change(self.at.runner, self.at.model, &base));
         }
         // A value in place of a whole expression needs no other within it.
         let (inner, outer) = (&observed[first.of], &again[second.repair.of]);
-        let (within, around) = (self.at.tokens(inner), self.at.tokens(outer));
-        let is_part = inner.stage == outer.stage && around.0 <= within.0 && within.1 <= around.1;
-        if is_part && self.is_right(&both) {
+        if self.at.is_within(inner, outer) && self.is_right(&both) {
             return None;
         }
         let firsts = self.at.causes(&both, observed, std::slice::from_ref(first), explaining);

@@ -95,6 +95,12 @@ impl Values {
         })
     }
 
+    /// Whether the others are the products of these with a factor.
+    #[must_use]
+    pub fn is_factor_of(&self, factor: &Values, others: &Values) -> bool {
+        self.size == others.size && factor.size <= self.size && self.times(factor).is_same(others)
+    }
+
     /// The root mean square of all present numbers; 0 if there are none.
     #[must_use]
     pub fn root_mean_square(&self) -> f32 {

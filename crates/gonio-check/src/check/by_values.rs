@@ -307,10 +307,10 @@ impl Judging<'_> {
         let mut found = self.beside_right_values(diagnosis);
         found.retain(|missing| !is_explained(missing));
         let is_long = self.task.model.has_roughness();
-        // In a long formula, and beside another mistake, the proof is often a value that is computed from the mistake's own
-        // wrong value, or the only use of a variable that is set to it. Where the sum is wrong, it may be one of its terms.
         // A vector that lacks its length lacks it where it is set.
         let lacks_length = |cause: &ProvenCause| cause.relation == Relation::Length && cause.is_given;
+        // In a long formula, and beside another mistake, the proof is often a value that is computed from the mistake's own
+        // wrong value, or the only use of a variable that is set to it. Where the sum is wrong, it may be one of its terms.
         let is_of_place = |cause: &ProvenCause, place: &MistakePlace| match first.mistakes.len() {
             _ if lacks_length(cause) => false,
             0 | 1 => (is_long || place.is_sum || place.is_computed && !place.is_given) && cause.distance > 0,
