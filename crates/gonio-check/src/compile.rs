@@ -51,6 +51,11 @@ impl<'a> ParsedStage<'a> {
         self.parsed.refusal().or(self.checked.refusal())
     }
 
+    /// Whether the shader is within the limits of size and depth, and has no error that the parser and the type checker find.
+    pub fn is_accepted(&self) -> bool {
+        self.refusal().is_none() && !self.problems().any(|problem| problem.severity == Severity::Error)
+    }
+
     /// Converts a problem to a message with its position in the student's file.
     pub fn message(&self, problem: &Problem) -> CompilerMessage {
         let (file, line, column) = self.text.place(problem.span.line, problem.span.column);

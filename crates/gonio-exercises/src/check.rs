@@ -12,7 +12,7 @@ use gonio_check::feedback::Feedback;
 use gonio_check::submission::SourceFile;
 use gonio_check::verdict::{CompilerMessage, FoundMistake, Outcome, Verdict, join_names};
 use gonio_check::{CheckOptions, ShaderChecker, ShaderExercise};
-use gonio_gl::{Gl, GlError};
+use gonio_gl::{DeferredGl, Gl, GlError};
 use gonio_language::tr;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -30,7 +30,12 @@ pub struct Checker {
 impl Checker {
     /// Creates a checker for this OpenGL context.
     pub fn new(gl: &Gl) -> Self {
-        Checker { shaders: ShaderChecker::new(gl), images: BTreeMap::new(), fetched: FetchedFiles::default() }
+        Self::deferred(DeferredGl::from(gl))
+    }
+
+    /// Creates a checker for an OpenGL context that may be opened later: what needs none precedes it.
+    pub fn deferred(gl: DeferredGl) -> Self {
+        Checker { shaders: ShaderChecker::deferred(gl), images: BTreeMap::new(), fetched: FetchedFiles::default() }
     }
 
     /// Adds a built-in file by its path below `assets`. Needed on the web, where no files are built in, for
@@ -93,7 +98,7 @@ fn whole(
         ExerciseKind::Baking => return Ok((baked(exercise, &files, &checker.fetched), None)),
         ExerciseKind::GlProgram => {
             let files_here = checker.host_files();
-            return Ok((host_program(checker.shaders.gl(), exercise, files, &files_here, feedback)?, None));
+            return Ok((host_program(checker.shaders.gl()?, exercise, files, &files_here, feedback)?, None));
         }
         ExerciseKind::Faces if answers_with_pictures(exercise, &files) => {
             return cubemap::check(&mut checker.shaders, exercise, &files);

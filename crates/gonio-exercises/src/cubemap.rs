@@ -31,8 +31,8 @@ pub fn check(
         Ok(submitted) => submitted,
         Err(sentence) => return Ok((Verdict::new(&exercise.id, Outcome::Unsure, sentence), None)),
     };
-    let bench = FaceBench::of_panorama(checker.gl(), FINE, &submitted.panorama)?;
-    let model = checker.model(ModelSolution::Panorama);
+    let bench = FaceBench::of_panorama(checker.gl()?, FINE, &submitted.panorama)?;
+    let model = checker.model(ModelSolution::Panorama)?;
     let seen = submitted.tiles(TILE as usize).encoded().blurred();
     let silent: SourceSupport = Box::new(|id| if id == "layout-photographic" { 0.6 } else { 0.5 });
     let task = FaceTask { hypotheses: &model.hypotheses, tolerance: Tolerance::FILES, source_support: &silent };

@@ -9,6 +9,7 @@ mod call_table;
 mod calls;
 #[cfg(feature = "capture")]
 pub mod capture;
+mod deferred;
 mod driver;
 mod functions;
 mod gl;
@@ -21,6 +22,7 @@ pub mod target;
 pub mod trace;
 
 pub use calls::Drawing;
+pub use deferred::DeferredGl;
 pub use driver::{Dialect, DriverInfo};
 pub use functions::Texels;
 pub use gl::{Gl, GlError, Remedy};

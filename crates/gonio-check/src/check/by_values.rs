@@ -34,16 +34,32 @@ const NOT_PUT_OUT: &str = "terms-not-put-out";
 /// Most lookups of a program that are judged alone; a mirror and glass together have two.
 const MOST_LOOKUPS: usize = 4;
 
+/// A program that the interpreter runs, without the driver.
+#[derive(Clone, Copy)]
+pub(super) struct ProgramValues<'a> {
+    pub task: &'static Task,
+    pub stages: [&'a ParsedStage<'a>; 2],
+    pub prepared: &'a Prepared,
+    pub depth: DiagnosisDepth,
+}
+
+impl ProgramValues<'_> {
+    /// Looks at the values that the program computes. `None` if they do not tell what is wrong.
+    pub fn diagnose(&self, checker: &ShaderChecker) -> Option<Diagnosis> {
+        let texts = self.stages.map(|stage| stage.text.text.as_str());
+        let [vertex, fragment] = self.stages.map(|stage| (&stage.parsed, &stage.checked));
+        let Prepared { names, constants, .. } = self.prepared;
+        diagnose(self.task, [vertex, fragment], texts, names, constants, &checker.solutions, self.depth).ok()
+    }
+}
+
 /// A program that is judged.
 #[derive(Clone, Copy)]
 pub(super) struct Judging<'a> {
-    pub task: &'static Task,
+    pub values: ProgramValues<'a>,
     pub submission: &'a Submission,
-    pub stages: [&'a ParsedStage<'a>; 2],
     pub program: &'a UserProgram,
-    pub prepared: &'a Prepared,
     pub source: &'a Analysis,
-    pub depth: DiagnosisDepth,
 }
 
 /// A verdict by values.
@@ -55,17 +71,16 @@ pub(super) struct Judged {
 }
 
 impl Judging<'_> {
-    /// Judges a program by its values, and draws it. `None` if values do not tell what is wrong.
+    /// Judges a program by the diagnosis of its values, and draws it. `None` if values do not tell what is wrong.
     ///
     /// # Errors
     /// Errors of the driver.
-    pub fn judge(&self, checker: &mut ShaderChecker) -> Result<Option<Judged>, GlError> {
-        let Some(diagnosis) = self.diagnosis(checker) else { return Ok(None) };
+    pub fn judge(&self, checker: &mut ShaderChecker, diagnosis: Diagnosis) -> Result<Option<Judged>, GlError> {
         let is_concluded = matches!(diagnosis.found, Found::Right(_) | Found::Endless);
         if is_concluded || !diagnosis.explanations.is_empty() {
             return self.judged(checker, &diagnosis).map(Some);
         }
-        let of_part = match self.task.model {
+        let of_part = match self.values.task.model {
             ModelSolution::Camera => self.positions_alone(checker)?,
             model if model.is_looked_up() => self.lookups_alone(checker)?,
             _ => None,
@@ -79,29 +94,29 @@ impl Judging<'_> {
     /// Errors of the driver.
     pub fn by_pictures(&self, checker: &mut ShaderChecker) -> Result<(Verdict, Option<Evidence>), GlError> {
         let declared = declared(self.program);
-        let bindings = crate::roles::bind(&declared, &self.prepared.names);
+        let bindings = crate::roles::bind(&declared, &self.values.prepared.names);
         let is_position = |b: &Bound| b.declared.kind == VariableKind::Attribute && b.role == Role::Position;
         if !bindings.bound.iter().any(is_position) {
             let sentence = tr!("check-no-attribute-looks-like-the-position");
-            let mut verdict = Verdict::new(self.task.exercise, Outcome::Unsure, sentence);
+            let mut verdict = Verdict::new(self.values.task.exercise, Outcome::Unsure, sentence);
             verdict.bound = bound(&bindings);
             return Ok((verdict, None));
         }
         let mut answers = Vec::new();
         let mut methods = Vec::new();
-        for method in answer_methods(self.task) {
+        for method in answer_methods(self.values.task) {
             let all = checker.solutions.get(method.model).map_err(GlError::new)?;
             if let Some(choices) = method.choices(&all.hypotheses) {
                 answers.push(PossibleAnswer { model: method.model, choices });
                 methods.push(method);
             }
         }
-        let found = checker.resembling(self.task, self.program, self.prepared, &answers)?;
+        let found = checker.resembling(self.values.task, self.program, self.values.prepared, &answers)?;
         let Some((right, mut verdict, evidence)) = found else {
-            return Ok((endless_verdict(self.task.exercise), None));
+            return Ok((endless_verdict(self.values.task.exercise), None));
         };
         let right = right.map(|index| methods[index]);
-        let word = self.task.other.filter(|(model, _)| right.is_some_and(|right| *model == right.model));
+        let word = self.values.task.other.filter(|(model, _)| right.is_some_and(|right| *model == right.model));
         if let Some(mistake) = word.and_then(|(_, word)| mistake_named(word?, 1.0)) {
             return Ok((wrong(verdict, vec![mistake]), Some(evidence)));
         }
@@ -111,14 +126,7 @@ impl Judging<'_> {
             verdict.summary = tr!("check-right-in-every-scene").to_owned();
             return Ok((verdict, Some(evidence)));
         }
-        Ok((unexplained(self.task, verdict, &bindings), Some(evidence)))
-    }
-
-    fn diagnosis(&self, checker: &ShaderChecker) -> Option<Diagnosis> {
-        let texts = self.stages.map(|stage| stage.text.text.as_str());
-        let [vertex, fragment] = self.stages.map(|stage| (&stage.parsed, &stage.checked));
-        let Prepared { names, constants, .. } = self.prepared;
-        diagnose(self.task, [vertex, fragment], texts, names, constants, &checker.solutions, self.depth).ok()
+        Ok((unexplained(self.values.task, verdict, &bindings), Some(evidence)))
     }
 
     /// Judges a camera by the distances of what is drawn, for programs whose colours are not those of the vertices. `None`
@@ -126,7 +134,7 @@ impl Judging<'_> {
     fn positions_alone(&self, checker: &mut ShaderChecker) -> Result<Option<Judged>, GlError> {
         let mut text = self.submission.fragment.clone();
         text.text = checker.places_fragment();
-        let fragment = ParsedStage::new(&text, Stage::Fragment, self.stages[1].target);
+        let fragment = ParsedStage::new(&text, Stage::Fragment, self.values.stages[1].target);
         let Some(mut judged) = self.with_fragment(checker, PLACES, &fragment)? else { return Ok(None) };
         judged.verdict.warnings.push(tr!("check-the-output-is-not-the-vertex").to_owned());
         Ok(Some(judged))
@@ -136,13 +144,13 @@ impl Judging<'_> {
     /// with the direction. `None` if that explains no more, or if no lookup flows into the colour.
     fn lookups_alone(&self, checker: &mut ShaderChecker) -> Result<Option<Judged>, GlError> {
         let mut best: Option<Judged> = None;
-        let fragment = self.stages[1];
+        let fragment = self.values.stages[1];
         let lookups = fragment.lookups().into_iter().filter(|lookup| self.source.puts_out_lookup(lookup.span));
         for lookup in lookups.take(MOST_LOOKUPS) {
             let mut text = self.submission.fragment.clone();
             text.text = fragment.showing(lookup);
             let fragment = ParsedStage::new(&text, Stage::Fragment, fragment.target);
-            let Some(mut judged) = self.with_fragment(checker, self.task, &fragment)? else { continue };
+            let Some(mut judged) = self.with_fragment(checker, self.values.task, &fragment)? else { continue };
             if judged.verdict.verdict == Outcome::Correct {
                 judged.verdict.summary = tr!("check-the-lookup-is-right-in-every").to_owned();
                 judged
@@ -167,9 +175,11 @@ impl Judging<'_> {
         task: &'static Task,
         fragment: &ParsedStage<'_>,
     ) -> Result<Option<Judged>, GlError> {
-        let Ok(program) = compile(checker.gl(), self.stages[0], fragment) else { return Ok(None) };
-        let judging = Judging { task, stages: [self.stages[0], fragment], program: &program, ..*self };
-        let Some(diagnosis) = judging.diagnosis(checker) else { return Ok(None) };
+        let vertex = self.values.stages[0];
+        let Ok(program) = compile(checker.gl()?, vertex, fragment) else { return Ok(None) };
+        let values = ProgramValues { task, stages: [vertex, fragment], ..self.values };
+        let judging = Judging { values, program: &program, ..*self };
+        let Some(diagnosis) = values.diagnose(checker) else { return Ok(None) };
         if !matches!(diagnosis.found, Found::Right(_)) && diagnosis.explanations.is_empty() {
             return Ok(None);
         }
@@ -178,7 +188,7 @@ impl Judging<'_> {
 
     /// The verdict on a program with this diagnosis.
     fn judged(&self, checker: &mut ShaderChecker, diagnosis: &Diagnosis) -> Result<Judged, GlError> {
-        let endless = || Judged { verdict: endless_verdict(self.task.exercise), evidence: None, fixes: Vec::new() };
+        let endless = || Judged { verdict: endless_verdict(self.values.task.exercise), evidence: None, fixes: Vec::new() };
         let groups = if let Found::Causes(groups) = &diagnosis.found { groups.as_slice() } else { &[] };
         let mistakes = match &diagnosis.found {
             Found::Endless => return Ok(endless()),
@@ -189,7 +199,7 @@ impl Judging<'_> {
         let Some((verdict, evidence)) = self.pictures(checker, diagnosis)? else { return Ok(endless()) };
         let fixes = diagnosis.fixes.clone();
         if mistakes.is_empty() && !matches!(diagnosis.found, Found::Right(_)) {
-            let verdict = unexplained(self.task, verdict, &diagnosis.bindings);
+            let verdict = unexplained(self.values.task, verdict, &diagnosis.bindings);
             return Ok(Judged { verdict, evidence: Some(evidence), fixes });
         }
         Ok(match mistakes.is_empty() {
@@ -205,7 +215,7 @@ impl Judging<'_> {
     ) -> Result<Option<(Verdict, Evidence)>, GlError> {
         // Light in the wrong stage is compared with light in the right one.
         let is_wrong_stage = self.wrong_stage(diagnosis).is_some();
-        let model = if is_wrong_stage { self.task.model } else { diagnosis.method.model };
+        let model = if is_wrong_stage { self.values.task.model } else { diagnosis.method.model };
         let method = AnswerMethod { model, ..diagnosis.method };
         let hypotheses = checker.solutions.get(model).map_err(GlError::new)?;
         let explanation = diagnosis.explanations.first();
@@ -220,7 +230,7 @@ impl Judging<'_> {
             due_terms: [0, 1, 2].map(|term| self.is_due(diagnosis, term)),
             wrong: explanation.map(|explanation| &explanation.hypothesis),
         };
-        checker.pictures(self.task, self.program, self.prepared, &right)
+        checker.pictures(self.values.task, self.program, self.values.prepared, &right)
     }
 
     /// Makes the verdict right, and states the roles that this assumes where the names do not tell them.
@@ -232,8 +242,8 @@ impl Judging<'_> {
         let method = diagnosis.method;
         let chosen = peculiarities(method, method.highlight).into_iter().filter(|(_, is_chosen)| *is_chosen);
         let chosen: Vec<&Mistake> = chosen.filter_map(|(id, _)| crate::mistakes::find(id)).collect();
-        let is_other = method.model != self.task.model;
-        verdict.peculiarities = peculiarities_of(self.task, &chosen, diagnosis.strengths, is_other);
+        let is_other = method.model != self.values.task.model;
+        verdict.peculiarities = peculiarities_of(self.values.task, &chosen, diagnosis.strengths, is_other);
         if diagnosis.has_steps {
             verdict.peculiarities.push(Peculiarity {
                 id: "diffuse-in-steps".to_owned(),
@@ -243,7 +253,7 @@ impl Judging<'_> {
         let bindings = &diagnosis.bindings;
         let declared = bindings.bound.iter().map(|bound| &bound.declared).chain(&bindings.unknown);
         let declared: Vec<Declared> = declared.cloned().collect();
-        let named = crate::roles::bind(&declared, &self.prepared.names);
+        let named = crate::roles::bind(&declared, &self.values.prepared.names);
         let is_named = |bound: &Bound| {
             named.bound.iter().any(|known| known.declared == bound.declared && known.role == bound.role)
         };
@@ -267,12 +277,12 @@ impl Judging<'_> {
 
     /// The mistake of computing the light in the wrong stage, if it is made.
     fn wrong_stage(&self, diagnosis: &Diagnosis) -> Option<&'static str> {
-        self.task.other.filter(|(model, _)| *model == diagnosis.method.model).and_then(|(_, word)| word)
+        self.values.task.other.filter(|(model, _)| *model == diagnosis.method.model).and_then(|(_, word)| word)
     }
 
     /// Whether a right program shows a term: the exercise requires it, or the program computes it and never uses it.
     fn is_due(&self, diagnosis: &Diagnosis, term: usize) -> bool {
-        self.task.required[term] || self.prepared.unused_terms[term] || diagnosis.unused_terms[term]
+        self.values.task.required[term] || self.values.prepared.unused_terms[term] || diagnosis.unused_terms[term]
     }
 
     /// Mistakes that do not show in the colours: light computed in the wrong stage, and optional terms that are computed
@@ -306,7 +316,7 @@ impl Judging<'_> {
         };
         let mut found = self.beside_right_values(diagnosis);
         found.retain(|missing| !is_explained(missing));
-        let is_long = self.task.model.has_roughness();
+        let is_long = self.values.task.model.has_roughness();
         // A vector that lacks its length lacks it where it is set.
         let lacks_length = |cause: &ProvenCause| cause.relation == Relation::Length && cause.is_given;
         // In a long formula, and beside another mistake, the proof is often a value that is computed from the mistake's own

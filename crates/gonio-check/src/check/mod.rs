@@ -20,8 +20,9 @@ use crate::source::{Analysis, Place};
 use crate::submission::{SourceFile, Submission};
 use crate::verdict::{FoundMistake, Outcome, Peculiarity, Verdict};
 use gonio_gl::GlError;
-use gonio_glsl::{OutputVersion, Stage};
+use gonio_glsl::Stage;
 use gonio_language::tr;
+use gonio_render::user_program::BrokenProgram;
 use std::rc::Rc;
 
 /// Options of a check.
@@ -112,29 +113,34 @@ fn check_files(
         Ok(names) => names.unwrap_or_default(),
         Err(error) => return unsure(error.to_string()),
     };
-    let target = if gonio_render::user_program::is_embedded(checker.gl()) {
-        OutputVersion::Es300
-    } else {
-        OutputVersion::Core330
-    };
+    let target = checker.target();
     let vertex = ParsedStage::new(&submission.vertex, Stage::Vertex, target);
     let fragment = ParsedStage::new(&submission.fragment, Stage::Fragment, target);
-    let program = match compile(checker.gl(), &vertex, &fragment) {
-        Ok(program) => program,
-        Err(broken) => {
-            let mut verdict = Verdict::new(exercise.id, Outcome::DoesNotCompile, "");
-            verdict.messages = compiler_messages(&broken, &vertex, &fragment);
-            verdict.summary = first_message(&verdict.messages, &broken);
-            verdict.warnings = submission.warnings.clone();
-            return Ok((verdict, None));
-        }
+    let does_not_compile = |broken: &BrokenProgram| {
+        let mut verdict = Verdict::new(exercise.id, Outcome::DoesNotCompile, "");
+        verdict.messages = compiler_messages(broken, &vertex, &fragment);
+        verdict.summary = first_message(&verdict.messages, broken);
+        verdict.warnings = submission.warnings.clone();
+        Ok((verdict, None))
     };
+    // The driver says why; the interpreter runs nothing that does not compile.
+    let is_refused = !vertex.is_accepted() || !fragment.is_accepted();
+    if is_refused && let Err(broken) = compile(checker.gl()?, &vertex, &fragment) {
+        return does_not_compile(&broken);
+    }
     if let Some(verdict) = does_not_link(exercise.id, &vertex, &fragment) {
-        return Ok((verdict, None));
+        return match compile(checker.gl()?, &vertex, &fragment) {
+            Ok(_) => Ok((verdict, None)),
+            Err(broken) => does_not_compile(&broken),
+        };
     }
     if let Some(judge) = exercise.judge {
-        let (mut verdict, evidence) =
-            by_reference::judge(checker.gl(), judge, exercise.id, &submission, &program, &names)?;
+        let gl = checker.gl()?;
+        let program = match compile(gl, &vertex, &fragment) {
+            Ok(program) => program,
+            Err(broken) => return does_not_compile(&broken),
+        };
+        let (mut verdict, evidence) = by_reference::judge(gl, judge, exercise.id, &submission, &program, &names)?;
         if verdict.verdict == Outcome::Wrong && is_unchanged(exercise, &submission) {
             report_unchanged(&mut verdict);
         }
@@ -163,16 +169,20 @@ fn check_files(
         unused_terms: unused_terms(&fragment),
         source_support: Box::new(move |id| asked.support(id)),
     };
-    let judging = by_values::Judging {
+    let values = by_values::ProgramValues {
         task,
-        submission: &submission,
         stages: [&vertex, &fragment],
-        program: &program,
         prepared: &prepared,
-        source: &source,
         depth: if purpose == Purpose::Right { DiagnosisDepth::Right } else { DiagnosisDepth::Causes },
     };
-    let judged = if task.model == ModelSolution::Panorama { None } else { judging.judge(checker)? };
+    // Before the driver is needed: it may be starting meanwhile.
+    let diagnosis = if task.model == ModelSolution::Panorama { None } else { values.diagnose(checker) };
+    let program = match compile(checker.gl()?, &vertex, &fragment) {
+        Ok(program) => program,
+        Err(broken) => return does_not_compile(&broken),
+    };
+    let judging = by_values::Judging { values, submission: &submission, program: &program, source: &source };
+    let judged = diagnosis.map(|diagnosis| judging.judge(checker, diagnosis)).transpose()?.flatten();
     let (mut verdict, evidence, fixes) = match judged {
         Some(by_values::Judged { verdict, evidence, fixes }) => (verdict, evidence, fixes),
         None => {

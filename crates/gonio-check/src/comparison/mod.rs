@@ -29,8 +29,8 @@ use crate::roles::{Declared, NamesFile};
 use crate::source::SourceConstants;
 use crate::testbench::{Atlas, Testbench};
 use crate::verdict::{Outcome, Verdict};
-use gonio_gl::{Gl, GlError};
-use gonio_glsl::DRAWN_ALL_THE_SAME;
+use gonio_gl::{DeferredGl, Dialect, Gl, GlError};
+use gonio_glsl::{DRAWN_ALL_THE_SAME, OutputVersion};
 use gonio_language::tr;
 use gonio_render::user_program::UserProgram;
 use std::collections::HashMap;
@@ -69,7 +69,7 @@ pub struct Evidence {
 
 /// Checks pairs of shaders in one context. Compiled model solutions are kept.
 pub struct ShaderChecker {
-    gl: Gl,
+    gl: Rc<DeferredGl>,
     models: HashMap<ModelSolution, CompiledModel>,
     testbenches: HashMap<&'static str, (Testbench, [usize; 2])>,
     /// The model solutions for the interpreter.
@@ -79,33 +79,52 @@ pub struct ShaderChecker {
 impl ShaderChecker {
     /// Creates a checker for this OpenGL context.
     pub fn new(gl: &Gl) -> Self {
-        ShaderChecker { gl: gl.clone(), models: HashMap::new(), testbenches: HashMap::new(), solutions: Rc::default() }
+        Self::deferred(DeferredGl::from(gl))
+    }
+
+    /// Creates a checker for an OpenGL context that may be opened later: what needs none precedes it.
+    pub fn deferred(gl: DeferredGl) -> Self {
+        ShaderChecker { gl: Rc::new(gl), models: HashMap::new(), testbenches: HashMap::new(), solutions: Rc::default() }
     }
 
     /// Returns the OpenGL context.
-    pub fn gl(&self) -> &Gl {
-        &self.gl
+    ///
+    /// # Errors
+    /// It cannot be opened.
+    pub fn gl(&self) -> Result<&Gl, GlError> {
+        self.gl.get()
+    }
+
+    /// Returns the version of GLSL that the context compiles.
+    pub fn target(&self) -> OutputVersion {
+        match self.gl.dialect() {
+            Dialect::Es300 => OutputVersion::Es300,
+            Dialect::Core330 => OutputVersion::Core330,
+        }
     }
 
     /// Returns a model solution, which is compiled on first use.
-    pub fn model(&mut self, model: ModelSolution) -> &CompiledModel {
-        let gl = &self.gl;
-        self.models.entry(model).or_insert_with(|| CompiledModel::new(gl, model))
+    ///
+    /// # Errors
+    /// OpenGL cannot be opened.
+    pub fn model(&mut self, model: ModelSolution) -> Result<&CompiledModel, GlError> {
+        let gl = self.gl.get()?;
+        Ok(self.models.entry(model).or_insert_with(|| CompiledModel::new(gl, model)))
     }
 
     /// Returns a fragment shader for this context that shows distances, for programs with any colours.
     pub fn places_fragment(&self) -> String {
         let [_, fragment] = ModelSolution::Places.sources();
-        crate::testbench::for_context(&self.gl, fragment)
+        crate::testbench::for_dialect(self.gl.dialect(), fragment)
     }
 
     fn prepare(&mut self, task: &'static Task) -> Result<(), GlError> {
         for model in std::iter::once(task.model).chain(task.other.map(|(model, _)| model)) {
-            self.model(model);
+            self.model(model)?;
         }
         if !self.testbenches.contains_key(task.exercise) {
             let (test_scenes, whole) = task.test_scenes();
-            self.testbenches.insert(task.exercise, (Testbench::new(&self.gl, test_scenes)?, whole));
+            self.testbenches.insert(task.exercise, (Testbench::new(self.gl.get()?, test_scenes)?, whole));
         }
         Ok(())
     }

@@ -116,7 +116,7 @@ impl ShaderChecker {
         right: &RightAnswer<'_>,
     ) -> Result<Option<(Verdict, Evidence)>, GlError> {
         self.prepare(task)?;
-        self.model(right.model);
+        self.model(right.model)?;
         let mut bindings = roles::bind(&predict::declared(program), &prepared.names);
         bindings.adopt(right.bindings);
         let Some(drawn) = self.drawn(task, program, bindings, right.parameterisation)? else { return Ok(None) };
@@ -151,7 +151,7 @@ impl ShaderChecker {
     ) -> Result<Option<(Option<usize>, Verdict, Evidence)>, GlError> {
         self.prepare(task)?;
         for answer in answers {
-            self.model(answer.model);
+            self.model(answer.model)?;
         }
         let bindings = roles::bind(&predict::declared(program), &prepared.names);
         let declared = roles::bind(&prepared.declared, &prepared.names);

@@ -46,7 +46,7 @@ pub(crate) fn check(
     if !bindings.bound.iter().any(|b| b.declared.glsl_type == "sampler2D") {
         return unsure(tr!("check-panorama-the-shaders-do-not-read-a"));
     }
-    let bench = FaceBench::smooth(checker.gl(), TILE)?;
+    let bench = FaceBench::smooth(checker.gl()?, TILE)?;
     // A program with a face number draws a square, one with a view matrix a cube around the camera.
     let is_cube = !has(Role::Face) && (has(Role::View) || has(Role::ViewProjection) || has(Role::ModelViewProjection));
     let fixed = crate::comparison::fixed(&bindings);
@@ -58,7 +58,7 @@ pub(crate) fn check(
         verdict.bound = bound;
         return Ok((verdict, None));
     };
-    let model = checker.model(ModelSolution::Panorama);
+    let model = checker.model(ModelSolution::Panorama)?;
     let task = FaceTask {
         hypotheses: &model.hypotheses,
         tolerance: Tolerance::DRAWN,

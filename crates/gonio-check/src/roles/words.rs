@@ -2,6 +2,8 @@
 //! `LightPosition_worldspace`, `lights[1].pos` and `posLumiere` all mean *light* and *pos*.
 
 use crate::words::words_of;
+use std::collections::HashMap;
+use std::sync::LazyLock;
 
 /// Spellings and their meanings. Words with an empty meaning are ignored.
 const MEANINGS: &[(&str, &str)] = &[
@@ -219,10 +221,12 @@ impl Words {
 }
 
 fn meaning(word: &str) -> Option<&'static str> {
-    MEANINGS
-        .iter()
-        .find(|(spellings, _)| spellings.split_whitespace().any(|spelling| spelling == word))
-        .map(|&(_, meaning)| meaning)
+    static BY_SPELLING: LazyLock<HashMap<&str, &str>> = LazyLock::new(|| {
+        let all = MEANINGS.iter().flat_map(|(spellings, meaning)| spellings.split_whitespace().map(move |s| (s, *meaning)));
+        // Of a word that is there twice, the first meaning counts.
+        all.rev().collect()
+    });
+    BY_SPELLING.get(word).copied()
 }
 
 /// Splits joined words: `lightpos`, `texcoord`. Each piece must be known and have three letters or be a matrix.

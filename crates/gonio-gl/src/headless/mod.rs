@@ -61,6 +61,15 @@ impl HeadlessContext {
         Ok(HeadlessContext { gl })
     }
 
+    /// Starts the driver on another thread, so that the first context of this process is there sooner. Errors are those of
+    /// opening that context, and are ignored here.
+    pub fn start_driver(options: HeadlessOptions) {
+        std::thread::spawn(move || {
+            // Never dropped: ending a driver takes time too.
+            Self::with_options(&options).map(std::mem::forget)
+        });
+    }
+
     /// The functions.
     pub fn gl(&self) -> &Gl {
         &self.gl

@@ -117,3 +117,30 @@ fn a_number_selects_a_plural() {
     assert_eq!(text("0"), ["0 test scenes", "0 scène de test"]);
     assert_eq!(text("12"), ["12 test scenes", "12 scènes de test"]);
 }
+
+#[test]
+fn every_message_is_found_and_none_refers_to_another() {
+    for language in Language::ALL {
+        for file in files(language) {
+            let all: Vec<(&str, &str)> = messages(file).collect();
+            let of_messages: Vec<String> = all.iter().flat_map(|(_, source)| ids(source)).collect();
+            assert_eq!(of_messages, ids(file));
+            for (id, source) in all {
+                assert!(source.starts_with(id), "{id}: {source}");
+                let is_alone = |inline: &InlineExpression<&str>| {
+                    !matches!(inline, InlineExpression::MessageReference { .. } | InlineExpression::TermReference { .. })
+                };
+                let mut elements = Vec::new();
+                for entry in parsed(source).body {
+                    let Entry::Message(message) = entry else { panic!("{id} is not a message: {entry:?}") };
+                    elements.extend(message.value.into_iter().flat_map(|pattern| pattern.elements));
+                    elements.extend(message.attributes.into_iter().flat_map(|attribute| attribute.value.elements));
+                }
+                for element in elements {
+                    let PatternElement::Placeable { expression: Expression::Inline(inline) } = element else { continue };
+                    assert!(is_alone(&inline), "{id} refers to another message: {inline:?}");
+                }
+            }
+        }
+    }
+}

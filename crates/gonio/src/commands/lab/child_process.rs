@@ -19,7 +19,7 @@ use gonio_exercises::exercise::Exercise;
 use gonio_exercises::preview::{self, CompiledPair, PreviewRenderer, PreviewScene, PreviewShape, SubmittedPair};
 use gonio_exercises::report;
 use gonio_gl::headless::HeadlessOptions;
-use gonio_gl::{Gl, GlError, HeadlessContext};
+use gonio_gl::{DeferredGl, Dialect, Gl, GlError, HeadlessContext};
 use gonio_render::{DisplayTexture, Renderer};
 use std::ffi::OsString;
 use std::path::PathBuf;
@@ -81,6 +81,8 @@ const STACK_BYTES: usize = 256 << 20;
 /// Reads requests from stdin and writes the answers to stdout, until the caller ends.
 pub fn check_worker() -> Result<CommandOutcome, CliError> {
     let serve = || {
+        // New threads, and the first use of channels, would wait for the loader of libraries once the driver is starting.
+        rayon::join(|| (), || ());
         let mut ready = None;
         // `exit` would wait for the driver.
         worker::serve(
@@ -101,28 +103,32 @@ pub fn check_worker() -> Result<CommandOutcome, CliError> {
 /// Most bytes of a file that a page may show.
 const MAX_SHOWN_BYTES: usize = 1 << 20;
 
-/// A checker with its OpenGL, kept from one check to the next.
+/// A checker, kept from one check to the next.
 struct ReadyChecker {
     es: bool,
     checker: Checker,
-    _context: HeadlessContext,
 }
 
-fn ready_checker(es: bool, kept: &mut Option<ReadyChecker>) -> Result<&mut Checker, String> {
-    let ready = match kept.take().filter(|kept| kept.es == es) {
-        Some(ready) => ready,
-        None => {
-            let options = HeadlessOptions { es, ..Default::default() };
-            let context = HeadlessContext::with_options(&options).map_err(|error| error.message)?;
-            ReadyChecker { es, checker: Checker::new(context.gl()), _context: context }
-        }
-    };
-    Ok(&mut kept.insert(ready).checker)
+/// A checker that opens OpenGL when a check needs it.
+fn ready_checker(es: bool, kept: &mut Option<ReadyChecker>) -> &mut Checker {
+    if kept.is_none() {
+        HeadlessContext::start_driver(HeadlessOptions { es, ..HeadlessOptions::default() });
+    }
+    let ready = kept.take().filter(|kept| kept.es == es).unwrap_or_else(|| {
+        let dialect = if es { Dialect::Es300 } else { Dialect::Core330 };
+        let open = move || {
+            let options = HeadlessOptions { es, ..HeadlessOptions::default() };
+            // What is opened keeps the context.
+            HeadlessContext::with_options(&options).map(|context| context.gl().clone())
+        };
+        ReadyChecker { es, checker: Checker::deferred(DeferredGl::new(dialect, open)) }
+    });
+    &mut kept.insert(ready).checker
 }
 
 fn check(request: WorkerRequest, kept: &mut Option<ReadyChecker>) -> Result<WorkerAnswer, String> {
+    let checker = ready_checker(request.es, kept);
     let exercise = exercise(&request.exercise).map_err(|error| error.to_string())?;
-    let checker = ready_checker(request.es, kept)?;
     let feedback = request.feedback.unwrap_or(exercise.feedback);
     let is_shown = |file: &&SourceFile| request.page.is_some() && file.bytes.len() <= MAX_SHOWN_BYTES;
     let sources: Vec<SourceFile> = request.files.iter().filter(is_shown).cloned().collect();
