@@ -22,5 +22,5 @@ pub mod user_shaders;
 pub mod verdict;
 pub mod words;
 
-pub use check::{CheckOptions, ShaderExercise, WRONG_VALUE, check, check_without_fix, with_edits};
+pub use check::{CheckOptions, ShaderExercise, WRONG_VALUE, check, check_without_fix, start_threads, with_edits};
 pub use comparison::ShaderChecker;

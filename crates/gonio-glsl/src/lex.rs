@@ -4,7 +4,7 @@
 use crate::limits::{MOST_COMPONENTS, MOST_NAME_BYTES, MOST_NESTED, MOST_RAW_TOKENS};
 use crate::{Limit, Problem, Span, Version};
 use std::collections::HashMap;
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// The kind of a token.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -25,7 +25,7 @@ pub(crate) enum TokenKind {
 #[derive(Debug, Clone)]
 pub(crate) struct Token {
     pub kind: TokenKind,
-    pub text: Rc<str>,
+    pub text: Arc<str>,
     /// The position for messages: for a token from a macro, the use of the macro.
     pub span: Span,
     /// The start of the text itself.
@@ -53,7 +53,7 @@ struct Lexer<'a> {
     column: u32,
     /// Whether a line has ended since the last token, except in continued lines and comments.
     line_ended: bool,
-    texts: HashMap<&'a str, Rc<str>>,
+    texts: HashMap<&'a str, Arc<str>>,
 }
 
 /// Returns all tokens of a source, the last being [`TokenKind::End`].
@@ -266,7 +266,7 @@ impl<'a> Lexer<'a> {
         }
     }
 
-    fn text(&mut self, start: usize) -> Rc<str> {
+    fn text(&mut self, start: usize) -> Arc<str> {
         let slice = self.source.get(start..self.at).unwrap_or("");
         if slice.contains('\\') && slice.len() > 1 {
             return slice.chars().filter(|c| !matches!(c, '\\' | '\n' | '\r')).collect::<String>().into();

@@ -116,7 +116,13 @@ impl LaneSet {
 
     /// Returns the lanes in order.
     pub fn iter(self) -> impl Iterator<Item = usize> {
-        (0..LANES).filter(move |lane| self.contains(*lane))
+        self.0.into_iter().enumerate().flat_map(|(word, mut bits)| {
+            std::iter::from_fn(move || {
+                let bit = (bits != 0).then(|| bits.trailing_zeros() as usize)?;
+                bits &= bits - 1;
+                Some(word * 64 + bit)
+            })
+        })
     }
 }
 

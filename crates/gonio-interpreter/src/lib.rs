@@ -17,6 +17,7 @@ mod texture;
 pub use code::{CallFrame, CompiledStage, InputRate, StageInput, StageOutput, TracedVariable};
 pub use compile::{Unsupported, compile};
 pub use lanes::{LANES, LaneSet};
+pub use machine::prepare_thread;
 pub use run::{
     Anomaly, AnomalyKind, EndedEarly, Evaluation, Fragment, Interpolation, PointValues, RunOptions, StageInputs,
     StageRun, Substitute, TraceStep, TraceWrite, Varying, interpolate, run, varyings,

@@ -17,6 +17,16 @@ pub fn join<A, B>(a: impl FnOnce() -> A, b: impl FnOnce() -> B) -> (A, B) {
     (a(), b())
 }
 
+/// Runs `other`, then `here`.
+pub fn beside<A, B>(other: impl FnOnce() -> A, here: impl FnOnce() -> B) -> (A, B) {
+    join(other, here)
+}
+
+/// Runs `f` on the only thread.
+pub fn broadcast<A>(f: impl FnOnce(()) -> A) -> Vec<A> {
+    vec![f(())]
+}
+
 /// An iterator with the methods of a parallel one.
 pub struct Sequential<I>(I);
 
@@ -147,8 +157,22 @@ impl<T> ParallelSliceMut<T> for [T] {
 
 #[cfg(test)]
 mod tests {
-    use super::join;
+    use super::{beside, broadcast, join};
     use super::prelude::*;
+
+    #[test]
+    fn both_parts_run_and_return_beside_each_other() {
+        let own = std::rc::Rc::new(7);
+        assert_eq!(crate::beside(|| 3, || *own), (3, 7));
+        assert_eq!(beside(|| 3, || *own), (3, 7));
+        assert_eq!(broadcast(|()| 5), [5]);
+    }
+
+    #[test]
+    #[should_panic(expected = "the other part")]
+    fn a_panic_of_the_other_part_is_one_here() {
+        crate::beside(|| panic!("the other part"), || ());
+    }
 
     #[test]
     fn the_results_are_those_of_rayon() {

@@ -4,18 +4,19 @@
 mod influence;
 pub(super) mod lights;
 mod probe;
+mod scorer;
 mod switches;
 
 pub(super) use influence::by_influence;
+use scorer::Scorer;
 pub(super) use switches::with_other_switches;
 
-use super::model::{Model, STAGES, observe};
-use super::program::{Program, Runner};
+use super::model::{Model, STAGES};
+use super::program::Program;
 use super::samples::SceneSamples;
 use super::solutions::ModelSolutions;
-use super::target::on_screen;
 use crate::roles::{Bound, How, Role, VariableKind};
-use gonio_interpreter::ExprId;
+use gonio_threads::prelude::*;
 
 const MATRICES: [Role; 8] = [
     Role::Model,
@@ -112,32 +113,30 @@ pub fn assign(solutions: &ModelSolutions, program: &mut Program, samples: &[Scen
         Some((samples, models)) => (samples.as_slice(), models.as_slice()),
         None => (samples, models),
     };
-    if let Some(first) = samples.first() {
-        for declared in influence::scales(program, first) {
-            program.bindings.unknown.retain(|unknown| *unknown != declared);
-            program.bindings.bound.push(Bound { declared, role: Role::Tint, how: How::Type });
-        }
+    let Some(first) = samples.first() else { return };
+    for declared in influence::scales(program, first) {
+        program.bindings.unknown.retain(|unknown| *unknown != declared);
+        program.bindings.bound.push(Bound { declared, role: Role::Tint, how: How::Type });
     }
+    let scorer = &Scorer::new(first, models);
     if switches::are_open(program) {
-        switches::set(program, samples, models);
+        switches::set(program, scorer);
     }
     let other = open_attributes(program).map(|[a, b]| {
         let mut other = program.clone();
         (other.bindings.bound[a].role, other.bindings.bound[b].role) =
             (program.bindings.bound[b].role, program.bindings.bound[a].role);
-        assign_uniforms(&mut other, samples, models);
+        assign_uniforms(&mut other, scorer);
         other
     });
-    assign_uniforms(program, samples, models);
-    let fitness = |program: &Program| (is_in_place(program, samples), score(program, samples, models));
+    assign_uniforms(program, scorer);
+    let fitness = |program: &Program| (scorer.is_in_place(program), scorer.score(program));
     if let Some(other) = other.filter(|other| fitness(other) > fitness(program)) {
         *program = other;
     }
 }
 
-fn assign_uniforms(program: &mut Program, samples: &[SceneSamples], models: &[Model]) {
-    let Some(first) = samples.first() else { return };
-    let samples = std::slice::from_ref(first);
+fn assign_uniforms(program: &mut Program, scorer: &Scorer<'_>) {
     // Variables without a role take part.
     let unknown: Vec<Bound> = (program.bindings.unknown.iter())
         .filter(|declared| declared.kind == VariableKind::Uniform)
@@ -156,7 +155,7 @@ fn assign_uniforms(program: &mut Program, samples: &[SceneSamples], models: &[Mo
         return;
     }
     let known = program.bindings.bound.clone();
-    let before = (is_in_place(program, samples), score(program, samples, models));
+    let before = (scorer.is_in_place(program), scorer.score(program));
     let is_matrix = |index: &usize| bound[*index].declared.glsl_type == "mat4" && bound[*index].how != How::Name;
     let matrices: Vec<usize> = open.iter().copied().filter(is_matrix).collect();
     let mut others: Vec<usize> = open.iter().copied().filter(|index| !is_matrix(index)).collect();
@@ -171,17 +170,17 @@ fn assign_uniforms(program: &mut Program, samples: &[SceneSamples], models: &[Mo
         // A light in view space shows only beside the matrices that lead there.
         let all = lights::in_spaces(&program.bindings.bound).into_iter().map(|bound| {
             program.bindings.bound = bound;
-            (choose_matrices(program, samples, models, &matrices), program.bindings.bound.clone())
+            (choose_matrices(program, scorer, &matrices), program.bindings.bound.clone())
         });
         let best = all.reduce(|best, other| if other.0 > best.0 { other } else { best });
         program.bindings.bound = best.map_or(bound.clone(), |(_, bound)| bound);
     }
-    lights::choose_space(program, samples, models);
+    lights::choose_space(program, scorer);
     let mut attenuated = false;
     // Twice, because the first of two unknown vectors is tried beside a wrong second one.
     for _ in 0..2 {
         // It is a function of the distance from the light.
-        if let Some(found) = (!attenuated).then(|| attenuation(program, samples, models, &bound, &others)).flatten() {
+        if let Some(found) = (!attenuated).then(|| attenuation(program, scorer, &bound, &others)).flatten() {
             attenuated = true;
             for (index, role) in found.into_iter().zip(ATTENUATION) {
                 program.bindings.bound[index].role = role;
@@ -205,7 +204,7 @@ fn assign_uniforms(program: &mut Program, samples: &[SceneSamples], models: &[Mo
                     program.bindings.bound[*index].role = usual;
                 }
             }
-            let mut best = (score(program, samples, models), usual);
+            let mut best = (scorer.score(program), usual);
             for role in candidates(&bound[*index]) {
                 // An input has one meaning.
                 let is_same = |a: Role, b: Role| a == b || [a, b].iter().all(|role| LIGHT_POSITIONS.contains(role));
@@ -219,7 +218,7 @@ fn assign_uniforms(program: &mut Program, samples: &[SceneSamples], models: &[Mo
                     continue;
                 }
                 program.bindings.bound[*index].role = *role;
-                let score = score(program, samples, models);
+                let score = scorer.score(program);
                 if score > best.0 {
                     best = (score, *role);
                 }
@@ -227,9 +226,9 @@ fn assign_uniforms(program: &mut Program, samples: &[SceneSamples], models: &[Mo
             program.bindings.bound[*index].role = best.1;
         }
         // Beside inputs without a role, a light shows few values.
-        lights::choose_space(program, samples, models);
+        lights::choose_space(program, scorer);
     }
-    if (is_in_place(program, samples), score(program, samples, models)) <= before {
+    if (scorer.is_in_place(program), scorer.score(program)) <= before {
         // An exponent is one by its use, even if no value becomes right with it.
         let is_new = |bound: &Bound| known.iter().all(|other| other.declared != bound.declared);
         let is_shown = |bound: &&Bound| {
@@ -254,21 +253,21 @@ pub(super) fn choose_open_matrices(program: &mut Program, samples: &[SceneSample
     let all = program.bindings.bound.iter().enumerate();
     let matrices: Vec<usize> = all.filter(|(_, bound)| is_open(bound)).map(|(index, _)| index).collect();
     if (1..=MOST_MATRICES).contains(&matrices.len()) {
-        choose_matrices(program, std::slice::from_ref(first), models, &matrices);
+        choose_matrices(program, &Scorer::new(first, models), &matrices);
         program.declared.adopt(&program.bindings);
     }
 }
 
 /// Assigns roles to matrices, so that every vertex is in place and most values are right. Returns 0 if that is not
 /// possible.
-fn choose_matrices(program: &mut Program, samples: &[SceneSamples], models: &[Model], matrices: &[usize]) -> usize {
+fn choose_matrices(program: &mut Program, scorer: &Scorer<'_>, matrices: &[usize]) -> usize {
     // The roles that the source shows, unless others fit better.
     let usual = program.bindings.bound.clone();
     // In a scene without stretching, the model matrix is as good as that of the normals.
     let role = |at: usize| usual[matrices[at]].role;
     let is_usual_distinct = (1..matrices.len()).all(|at| (0..at).all(|other| role(other) != role(at)));
-    let mut best = match is_usual_distinct && is_in_place(program, samples) {
-        true => (1 + score(program, samples, models), usual.clone()),
+    let mut best = match is_usual_distinct && scorer.is_in_place(program) {
+        true => (1 + scorer.score(program), usual.clone()),
         false => (0, usual.clone()),
     };
     let mut chosen = vec![0_usize; matrices.len()];
@@ -278,8 +277,8 @@ fn choose_matrices(program: &mut Program, samples: &[SceneSamples], models: &[Mo
             for (index, role) in matrices.iter().zip(&chosen) {
                 program.bindings.bound[*index].role = MATRICES[*role];
             }
-            if is_in_place(program, samples) {
-                let score = 1 + score(program, samples, models);
+            if scorer.is_in_place(program) {
+                let score = 1 + scorer.score(program);
                 if score > best.0 {
                     best = (score, program.bindings.bound.clone());
                 }
@@ -291,18 +290,18 @@ fn choose_matrices(program: &mut Program, samples: &[SceneSamples], models: &[Mo
     }
     program.bindings.bound = best.1;
     if best.0 == 0 {
-        choose_each_matrix(program, samples, models, matrices);
+        choose_each_matrix(program, scorer, matrices);
     }
     best.0
 }
 
 /// Assigns roles to matrices one by one, so that most values are right: a mistake may leave no vertex in place.
-fn choose_each_matrix(program: &mut Program, samples: &[SceneSamples], models: &[Model], matrices: &[usize]) {
+fn choose_each_matrix(program: &mut Program, scorer: &Scorer<'_>, matrices: &[usize]) {
     for at in matrices.iter().chain(matrices) {
-        let mut best = (score(program, samples, models), program.bindings.bound[*at].role);
+        let mut best = (scorer.score(program), program.bindings.bound[*at].role);
         for role in MATRICES {
             program.bindings.bound[*at].role = role;
-            let score = score(program, samples, models);
+            let score = scorer.score(program);
             if score > best.0 {
                 best = (score, role);
             }
@@ -336,11 +335,10 @@ fn open_attributes(program: &Program) -> Option<[usize; 2]> {
 /// The three numbers among the open ones that are the constants of the attenuation: together they give a right value.
 fn attenuation(
     program: &mut Program,
-    samples: &[SceneSamples],
-    models: &[Model],
+    scorer: &Scorer<'_>,
     bound: &[Bound],
     open: &[usize],
-) -> Option<Vec<usize>> {
+) -> Option<[usize; 3]> {
     let is_number = |index: &&usize| bound[**index].declared.glsl_type == "float";
     let numbers: Vec<usize> = open.iter().filter(is_number).copied().collect();
     // An input has one meaning.
@@ -348,56 +346,25 @@ fn attenuation(
     if numbers.len() < ATTENUATION.len() || numbers.len() > 7 || bound.iter().any(is_named) {
         return None;
     }
-    let usual = program.bindings.bound.clone();
-    let mut best = (score(program, samples, models), None);
+    let mut all = Vec::new();
     for a in &numbers {
         for b in numbers.iter().filter(|b| *b != a) {
-            for c in numbers.iter().filter(|c| *c != a && *c != b) {
-                program.bindings.bound.clone_from(&usual);
-                for (index, role) in [a, b, c].into_iter().zip(ATTENUATION) {
-                    program.bindings.bound[*index].role = role;
-                }
-                let score = score(program, samples, models);
-                if score > best.0 {
-                    best = (score, Some(vec![*a, *b, *c]));
-                }
-            }
+            all.extend(numbers.iter().filter(|c| *c != a && *c != b).map(|c| [*a, *b, *c]));
         }
     }
-    program.bindings.bound = usual;
-    best.1
-}
-
-fn is_in_place(program: &Program, samples: &[SceneSamples]) -> bool {
-    let scene = &samples[0].scene;
-    let clip_from_model = scene.clip_from_view() * scene.view_from_world() * scene.world_from_model;
-    let runner = Runner::new(program, samples);
-    let result = runner.start(0);
-    let Some(position) = result.output(&program.vertex, "gl_Position") else { return false };
-    let positions = samples[0].mesh.positions.chunks_exact(3);
-    positions.enumerate().all(|(vertex, at)| {
-        let right = clip_from_model * glam::Vec3::from_slice(at).extend(1.0);
-        let seen: [f32; 4] = std::array::from_fn(|component| position.float(component, vertex));
-        on_screen(&seen, &right.to_array())
-    })
-}
-
-/// How many expressions are quantities of the light equation.
-fn score(program: &Program, samples: &[SceneSamples], models: &[Model]) -> usize {
-    let runner = Runner::new(program, samples);
-    // A name that is read counts where its value is computed.
-    let exprs = STAGES.map(|stage| {
-        let expressions = &program.stage(stage).source.expressions;
-        let tokens = |expr: &ExprId| expressions[expr.0 as usize].tokens;
-        let mut all = program.numbers(stage);
-        all.retain(|expr| tokens(expr).first != tokens(expr).last);
-        all
-    });
-    let observed = observe(&runner, &[], 0..1, [&exprs[0], &exprs[1]]);
-    let is_known = |seen: &&super::model::Recorded| {
-        let quantities = models.iter().flat_map(|model| &model.quantities);
-        let mut alike = quantities.filter(|q| q.stage == seen.stage && q.mistake.is_none());
-        !seen.values.is_constant() && alike.any(|q| q.values.is_same_of_first(&seen.values))
+    let score = |inputs: &[usize; 3]| {
+        let mut other = program.clone();
+        for (index, role) in inputs.iter().zip(ATTENUATION) {
+            other.bindings.bound[*index].role = role;
+        }
+        scorer.score(&other)
     };
-    observed.iter().filter(is_known).count()
+    let scores: Vec<usize> = all.par_iter().map(score).collect();
+    let mut best = (scorer.score(program), None);
+    for (inputs, score) in all.into_iter().zip(scores) {
+        if score > best.0 {
+            best = (score, Some(inputs));
+        }
+    }
+    best.1
 }

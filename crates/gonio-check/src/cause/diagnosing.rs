@@ -25,6 +25,7 @@ use crate::testbench::TestScene;
 use gonio_glsl::{Checked, Parsed, Span, Stage};
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;
+use std::sync::Arc;
 
 use super::answer::{self, AnswerMethod, Space};
 use super::{Diagnosis, explanation, place};
@@ -42,7 +43,7 @@ const MOST_FIXES: usize = 2;
 /// A program in its test scenes.
 pub(super) struct Diagnosing<'a> {
     pub(super) task: &'a Task,
-    pub(super) solutions: &'a Rc<ModelSolutions>,
+    pub(super) solutions: &'a Arc<ModelSolutions>,
     pub(super) program: &'a Program,
     pub(super) stages: [(&'a Parsed, &'a Checked); 2],
     pub(super) texts: [&'a str; 2],

@@ -13,7 +13,7 @@ use gonio_glsl::{Expr, ExprKind, Item, Parsed, Stage, StatementKind, TokenRange}
 use gonio_interpreter::SourceMap;
 use std::cell::RefCell;
 use std::collections::HashMap;
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// A text that computes a quantity.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -49,7 +49,7 @@ struct Definition {
     space: Space,
     /// The space of its parts.
     of: Space,
-    source: Rc<Parsed>,
+    source: Arc<Parsed>,
     value: TokenRange,
 }
 
@@ -111,7 +111,7 @@ vec4 world_place; uniform mat4 M, P, itM;
 ";
 
 /// Parses one definition: a global variable of this name.
-fn parse_definition(text: &str, is_matrix: bool) -> Option<(Rc<Parsed>, TokenRange)> {
+fn parse_definition(text: &str, is_matrix: bool) -> Option<(Arc<Parsed>, TokenRange)> {
     let view = if is_matrix { "uniform mat4 V;" } else { "vec3 V;" };
     let mut parsed = gonio_glsl::parse(&format!("{HEADER}{view}\nvoid main() {{ {text}; }}"));
     gonio_glsl::check(&mut parsed, Stage::Vertex);
@@ -121,7 +121,7 @@ fn parse_definition(text: &str, is_matrix: bool) -> Option<(Rc<Parsed>, TokenRan
     })?;
     let StatementKind::Expression(value) = &function.kind else { return None };
     let tokens = value.tokens;
-    Some((Rc::new(parsed), tokens))
+    Some((Arc::new(parsed), tokens))
 }
 
 impl Definitions {
@@ -134,10 +134,10 @@ impl Definitions {
         for stage in STAGES {
             let mut parsed = gonio_glsl::parse(&sources[stage as usize]);
             gonio_glsl::check(&mut parsed, stage);
-            let parsed = Rc::new(parsed);
+            let parsed = Arc::new(parsed);
             let map = SourceMap::new(&parsed);
             for (name, value) in assignments(&sources[stage as usize], &map) {
-                all.push((name, Some(stage), Rc::clone(&parsed), value));
+                all.push((name, Some(stage), Arc::clone(&parsed), value));
             }
         }
         for (list, is_matrix) in [(&OF_DIRECTIONS[..], false), (&OF_MATRICES[..], true)] {
@@ -161,7 +161,7 @@ impl Definitions {
                         stage,
                         space,
                         of: space,
-                        source: Rc::clone(&source),
+                        source: Arc::clone(&source),
                         value,
                     },
                 )

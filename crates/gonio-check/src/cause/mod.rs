@@ -67,7 +67,7 @@ pub use samples::SceneSamples;
 use search::Found;
 pub use solutions::ModelSolutions;
 use std::cell::RefCell;
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// Why values cannot be judged.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -137,7 +137,7 @@ pub fn diagnose(
     texts: [&str; 2],
     names: &NamesFile,
     constants: &SourceConstants,
-    solutions: &Rc<ModelSolutions>,
+    solutions: &Arc<ModelSolutions>,
     depth: DiagnosisDepth,
 ) -> Result<Diagnosis, NotJudged> {
     let named = Program::new(vertex, fragment, texts, names)

@@ -23,7 +23,7 @@ use gonio_glsl::{OutputVersion, Span, Stage};
 use gonio_interpreter::ExprId;
 use gonio_language::tr;
 use std::collections::BTreeMap;
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// What an expression is, or what it should be.
 #[derive(Clone, Debug, PartialEq)]
@@ -108,7 +108,7 @@ impl RightQuantities {
         let constants = source.constants();
         let texts = [&submission.vertex.text, &submission.fragment.text].map(String::as_str);
         let diagnosis =
-            diagnose(task, [vertex, fragment], texts, &names, &constants, &Rc::default(), DiagnosisDepth::Causes)
+            diagnose(task, [vertex, fragment], texts, &names, &constants, &Arc::default(), DiagnosisDepth::Causes)
                 .ok()?;
         let groups: &[Vec<ProvenCause>] = match &diagnosis.found {
             Found::Endless => return None,

@@ -43,11 +43,22 @@ pub(super) fn observe(
                 if values.size != size {
                     continue;
                 }
-                for lane in evaluation.points.iter() {
-                    let point = first + evaluation.first_point + lane;
-                    values.present[point] = true;
-                    for component in 0..size {
-                        values.numbers[point * size + component] = evaluation.values.float(component, lane);
+                let start = first + evaluation.first_point;
+                match &evaluation.values {
+                    PointValues::Same(components) => {
+                        for lane in evaluation.points.iter() {
+                            values.present[start + lane] = true;
+                            let to = &mut values.numbers[(start + lane) * size..][..size];
+                            to.iter_mut().zip(components).for_each(|(to, bits)| *to = f32::from_bits(*bits));
+                        }
+                    }
+                    PointValues::Each { components, .. } => {
+                        evaluation.points.iter().for_each(|lane| values.present[start + lane] = true);
+                        for (component, from) in components.iter().enumerate() {
+                            for lane in evaluation.points.iter() {
+                                values.numbers[(start + lane) * size + component] = f32::from_bits(from[lane]);
+                            }
+                        }
                     }
                 }
             }

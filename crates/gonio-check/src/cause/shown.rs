@@ -11,7 +11,7 @@ use crate::mistakes::{Hypotheses, Hypothesis, Mistake};
 use crate::testbench::TestScene;
 use std::cell::OnceCell;
 use std::collections::{BTreeMap, BTreeSet};
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// Places in each scene at which values are compared.
 const PLACES: usize = 20;
@@ -20,7 +20,7 @@ const NORMAL: &str = "N";
 
 /// The quantities that a program computes, compared with one model solution.
 pub(crate) struct Shown {
-    solutions: Rc<ModelSolutions>,
+    solutions: Arc<ModelSolutions>,
     program: Program,
     samples: Vec<SceneSamples>,
     method: LightingMethod,
@@ -45,7 +45,7 @@ impl Shown {
     /// # Errors
     /// The model solution cannot be compiled; a test ensures that all can.
     pub fn new(
-        solutions: &Rc<ModelSolutions>,
+        solutions: &Arc<ModelSolutions>,
         program: &Program,
         scenes: &[(TestScene, SceneSamples)],
         method: LightingMethod,
@@ -87,7 +87,7 @@ impl Shown {
         }
         let variables = hypotheses.with_parts(&right);
         let program = program.clone();
-        let solutions = Rc::clone(solutions);
+        let solutions = Arc::clone(solutions);
         let suspects = OnceCell::new();
         Ok(Shown {
             solutions,

@@ -6,10 +6,8 @@ use super::program::{Program, run_in_scene};
 use crate::mistakes::{Hypotheses, Hypothesis, ModelSolution};
 use gonio_glsl::Stage;
 use gonio_interpreter::{CompiledStage, PointValues, StageInputs};
-use std::cell::RefCell;
 use std::collections::{BTreeSet, HashMap};
-use std::rc::Rc;
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
 /// One compiled program for all hypotheses of a model solution.
 pub(crate) struct AllHypotheses {
@@ -32,9 +30,9 @@ type ProgramKey = ([String; 2], u32);
 /// Model solutions with their hypotheses, compiled on first use and kept for further programs.
 #[derive(Default)]
 pub struct ModelSolutions {
-    known: RefCell<HashMap<ModelSolution, Arc<AllHypotheses>>>,
-    hypotheses: RefCell<HashMap<ModelSolution, Arc<Hypotheses>>>,
-    programs: RefCell<HashMap<ProgramKey, Rc<ModelProgram>>>,
+    known: Mutex<HashMap<ModelSolution, Arc<AllHypotheses>>>,
+    hypotheses: Mutex<HashMap<ModelSolution, Arc<Hypotheses>>>,
+    programs: Mutex<HashMap<ProgramKey, Arc<ModelProgram>>>,
 }
 
 /// Hypotheses from which on a stage is evaluated line by line.
@@ -45,7 +43,7 @@ const MOST_PROGRAMS: usize = 64;
 impl ModelSolutions {
     /// The hypotheses of a model solution.
     pub(crate) fn hypotheses(&self, model: ModelSolution) -> Arc<Hypotheses> {
-        let mut known = self.hypotheses.borrow_mut();
+        let mut known = locked(&self.hypotheses);
         Arc::clone(known.entry(model).or_insert_with(|| Arc::new(Hypotheses::for_model(model))))
     }
 
@@ -53,17 +51,17 @@ impl ModelSolutions {
     ///
     /// # Errors
     /// It cannot be compiled; a test ensures that all can.
-    pub(super) fn program(&self, texts: &[String; 2], written_exponent: f32) -> Result<Rc<ModelProgram>, String> {
+    pub(super) fn program(&self, texts: &[String; 2], written_exponent: f32) -> Result<Arc<ModelProgram>, String> {
         let key = (texts.clone(), written_exponent.to_bits());
-        if let Some(known) = self.programs.borrow().get(&key) {
-            return Ok(Rc::clone(known));
+        if let Some(known) = locked(&self.programs).get(&key) {
+            return Ok(Arc::clone(known));
         }
-        let new = Rc::new(ModelProgram::new(texts, written_exponent)?);
-        let mut programs = self.programs.borrow_mut();
+        let new = Arc::new(ModelProgram::new(texts, written_exponent)?);
+        let mut programs = locked(&self.programs);
         if programs.len() >= MOST_PROGRAMS {
             programs.clear();
         }
-        programs.insert(key, Rc::clone(&new));
+        programs.insert(key, Arc::clone(&new));
         Ok(new)
     }
 
@@ -72,13 +70,18 @@ impl ModelSolutions {
     /// # Errors
     /// The interpreter cannot run gonio's own shaders; a test ensures that it can.
     pub(crate) fn get(&self, model: ModelSolution) -> Result<Arc<AllHypotheses>, String> {
-        if let Some(known) = self.known.borrow().get(&model) {
+        if let Some(known) = locked(&self.known).get(&model) {
             return Ok(Arc::clone(known));
         }
         let new = Arc::new(AllHypotheses::new(self.hypotheses(model))?);
-        self.known.borrow_mut().insert(model, Arc::clone(&new));
+        locked(&self.known).insert(model, Arc::clone(&new));
         Ok(new)
     }
+}
+
+/// What is kept, which a panic elsewhere does not damage.
+fn locked<T>(kept: &Mutex<T>) -> MutexGuard<'_, T> {
+    kept.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 impl AllHypotheses {

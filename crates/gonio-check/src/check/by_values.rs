@@ -7,7 +7,7 @@ use crate::cause::place::MistakePlace;
 use crate::cause::repair::Relation;
 use crate::cause::search::Found;
 use crate::cause::{
-    AnswerMethod, Diagnosis, DiagnosisDepth, Space, answer_methods, diagnose, is_absent, peculiarities,
+    AnswerMethod, Diagnosis, DiagnosisDepth, ModelSolutions, Space, answer_methods, diagnose, is_absent, peculiarities,
 };
 use crate::comparison::{
     Evidence, MOST_FOR_WRONG, PLACES, PossibleAnswer, Prepared, RightAnswer, ShaderChecker, Task, bound, declared,
@@ -15,8 +15,8 @@ use crate::comparison::{
 };
 use crate::compile::{ParsedStage, compile};
 use crate::mistakes::{Mistake, ModelSolution, TERMS, term_of};
-use crate::roles::{Bindings, Bound, Declared, Role, VariableKind};
-use crate::source::Analysis;
+use crate::roles::{Bindings, Bound, Declared, NamesFile, Role, VariableKind};
+use crate::source::{Analysis, SourceConstants};
 use crate::submission::{StageText, Submission};
 use crate::testbench::scene;
 use crate::verdict::{FoundMistake, Outcome, Peculiarity, Verdict};
@@ -24,6 +24,7 @@ use gonio_gl::GlError;
 use gonio_glsl::{Span, Stage};
 use gonio_language::tr;
 use gonio_render::user_program::UserProgram;
+use std::sync::Arc;
 
 /// The id of a wrong value that no mistake of the catalogue explains.
 pub const WRONG_VALUE: &str = "wrong-value";
@@ -39,17 +40,17 @@ const MOST_LOOKUPS: usize = 4;
 pub(super) struct ProgramValues<'a> {
     pub task: &'static Task,
     pub stages: [&'a ParsedStage<'a>; 2],
-    pub prepared: &'a Prepared,
+    pub names: &'a NamesFile,
+    pub constants: &'a SourceConstants,
     pub depth: DiagnosisDepth,
 }
 
 impl ProgramValues<'_> {
     /// Looks at the values that the program computes. `None` if they do not tell what is wrong.
-    pub fn diagnose(&self, checker: &ShaderChecker) -> Option<Diagnosis> {
+    pub fn diagnose(&self, solutions: &Arc<ModelSolutions>) -> Option<Diagnosis> {
         let texts = self.stages.map(|stage| stage.text.text.as_str());
         let [vertex, fragment] = self.stages.map(|stage| (&stage.parsed, &stage.checked));
-        let Prepared { names, constants, .. } = self.prepared;
-        diagnose(self.task, [vertex, fragment], texts, names, constants, &checker.solutions, self.depth).ok()
+        diagnose(self.task, [vertex, fragment], texts, self.names, self.constants, solutions, self.depth).ok()
     }
 }
 
@@ -57,6 +58,7 @@ impl ProgramValues<'_> {
 #[derive(Clone, Copy)]
 pub(super) struct Judging<'a> {
     pub values: ProgramValues<'a>,
+    pub prepared: &'a Prepared,
     pub submission: &'a Submission,
     pub program: &'a UserProgram,
     pub source: &'a Analysis,
@@ -94,7 +96,7 @@ impl Judging<'_> {
     /// Errors of the driver.
     pub fn by_pictures(&self, checker: &mut ShaderChecker) -> Result<(Verdict, Option<Evidence>), GlError> {
         let declared = declared(self.program);
-        let bindings = crate::roles::bind(&declared, &self.values.prepared.names);
+        let bindings = crate::roles::bind(&declared, &self.prepared.names);
         let is_position = |b: &Bound| b.declared.kind == VariableKind::Attribute && b.role == Role::Position;
         if !bindings.bound.iter().any(is_position) {
             let sentence = tr!("check-no-attribute-looks-like-the-position");
@@ -111,7 +113,7 @@ impl Judging<'_> {
                 methods.push(method);
             }
         }
-        let found = checker.resembling(self.values.task, self.program, self.values.prepared, &answers)?;
+        let found = checker.resembling(self.values.task, self.program, self.prepared, &answers)?;
         let Some((right, mut verdict, evidence)) = found else {
             return Ok((endless_verdict(self.values.task.exercise), None));
         };
@@ -179,7 +181,7 @@ impl Judging<'_> {
         let Ok(program) = compile(checker.gl()?, vertex, fragment) else { return Ok(None) };
         let values = ProgramValues { task, stages: [vertex, fragment], ..self.values };
         let judging = Judging { values, program: &program, ..*self };
-        let Some(diagnosis) = values.diagnose(checker) else { return Ok(None) };
+        let Some(diagnosis) = values.diagnose(&checker.solutions) else { return Ok(None) };
         if !matches!(diagnosis.found, Found::Right(_)) && diagnosis.explanations.is_empty() {
             return Ok(None);
         }
@@ -230,7 +232,7 @@ impl Judging<'_> {
             due_terms: [0, 1, 2].map(|term| self.is_due(diagnosis, term)),
             wrong: explanation.map(|explanation| &explanation.hypothesis),
         };
-        checker.pictures(self.values.task, self.program, self.values.prepared, &right)
+        checker.pictures(self.values.task, self.program, self.prepared, &right)
     }
 
     /// Makes the verdict right, and states the roles that this assumes where the names do not tell them.
@@ -253,7 +255,7 @@ impl Judging<'_> {
         let bindings = &diagnosis.bindings;
         let declared = bindings.bound.iter().map(|bound| &bound.declared).chain(&bindings.unknown);
         let declared: Vec<Declared> = declared.cloned().collect();
-        let named = crate::roles::bind(&declared, &self.values.prepared.names);
+        let named = crate::roles::bind(&declared, &self.prepared.names);
         let is_named = |bound: &Bound| {
             named.bound.iter().any(|known| known.declared == bound.declared && known.role == bound.role)
         };
@@ -282,7 +284,7 @@ impl Judging<'_> {
 
     /// Whether a right program shows a term: the exercise requires it, or the program computes it and never uses it.
     fn is_due(&self, diagnosis: &Diagnosis, term: usize) -> bool {
-        self.values.task.required[term] || self.values.prepared.unused_terms[term] || diagnosis.unused_terms[term]
+        self.values.task.required[term] || self.prepared.unused_terms[term] || diagnosis.unused_terms[term]
     }
 
     /// Mistakes that do not show in the colours: light computed in the wrong stage, and optional terms that are computed

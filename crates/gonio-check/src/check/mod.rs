@@ -24,6 +24,14 @@ use gonio_glsl::Stage;
 use gonio_language::tr;
 use gonio_render::user_program::BrokenProgram;
 use std::rc::Rc;
+use std::sync::Arc;
+
+/// Starts the threads of checks, and lets each of them and this one set up what it keeps. Both would wait for the system's loader
+/// of libraries while a driver is starting.
+pub fn start_threads() {
+    gonio_threads::broadcast(|_| gonio_interpreter::prepare_thread());
+    gonio_interpreter::prepare_thread();
+}
 
 /// Options of a check.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -172,16 +180,36 @@ fn check_files(
     let values = by_values::ProgramValues {
         task,
         stages: [&vertex, &fragment],
-        prepared: &prepared,
+        names: &prepared.names,
+        constants: &prepared.constants,
         depth: if purpose == Purpose::Right { DiagnosisDepth::Right } else { DiagnosisDepth::Causes },
     };
-    // Before the driver is needed: it may be starting meanwhile.
-    let diagnosis = if task.model == ModelSolution::Panorama { None } else { values.diagnose(checker) };
-    let program = match compile(checker.gl()?, &vertex, &fragment) {
+    let compiled = |checker: &mut ShaderChecker| -> Result<_, GlError> {
+        let program = compile(checker.gl()?, &vertex, &fragment);
+        if let Ok(program) = &program {
+            checker.draw_ahead(task, program, &prepared)?;
+        }
+        Ok(program)
+    };
+    let (diagnosis, program) = if task.model == ModelSolution::Panorama {
+        (None, compile(checker.gl()?, &vertex, &fragment))
+    } else {
+        // The interpreter and the driver work at the same time.
+        let solutions = Arc::clone(&checker.solutions);
+        let (diagnosis, program) = gonio_threads::beside(|| values.diagnose(&solutions), || compiled(checker));
+        (diagnosis, program?)
+    };
+    let program = match program {
         Ok(program) => program,
         Err(broken) => return does_not_compile(&broken),
     };
-    let judging = by_values::Judging { values, submission: &submission, program: &program, source: &source };
+    let judging = by_values::Judging {
+        values,
+        prepared: &prepared,
+        submission: &submission,
+        program: &program,
+        source: &source,
+    };
     let judged = diagnosis.map(|diagnosis| judging.judge(checker, diagnosis)).transpose()?.flatten();
     let (mut verdict, evidence, fixes) = match judged {
         Some(by_values::Judged { verdict, evidence, fixes }) => (verdict, evidence, fixes),

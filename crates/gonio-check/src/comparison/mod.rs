@@ -35,6 +35,7 @@ use gonio_language::tr;
 use gonio_render::user_program::UserProgram;
 use std::collections::HashMap;
 use std::rc::Rc;
+use std::sync::Arc;
 
 /// The information from the source of a pair of shaders that a check uses.
 pub struct Prepared {
@@ -73,7 +74,7 @@ pub struct ShaderChecker {
     models: HashMap<ModelSolution, CompiledModel>,
     testbenches: HashMap<&'static str, (Testbench, [usize; 2])>,
     /// The model solutions for the interpreter.
-    pub(crate) solutions: Rc<ModelSolutions>,
+    pub(crate) solutions: Arc<ModelSolutions>,
 }
 
 impl ShaderChecker {
@@ -84,7 +85,7 @@ impl ShaderChecker {
 
     /// Creates a checker for an OpenGL context that may be opened later: what needs none precedes it.
     pub fn deferred(gl: DeferredGl) -> Self {
-        ShaderChecker { gl: Rc::new(gl), models: HashMap::new(), testbenches: HashMap::new(), solutions: Rc::default() }
+        ShaderChecker { gl: Rc::new(gl), models: HashMap::new(), testbenches: HashMap::new(), solutions: Arc::default() }
     }
 
     /// Returns the OpenGL context.

@@ -10,6 +10,7 @@ use crate::roles::{self, Bindings};
 use crate::testbench::{Atlas, Testbench};
 use crate::verdict::{Outcome, Verdict};
 use gonio_gl::GlError;
+use gonio_glsl::DRAWN_ALL_THE_SAME;
 use gonio_render::user_program::UserProgram;
 
 /// The right answer that a program's pictures are compared with.
@@ -82,6 +83,35 @@ impl Drawn<'_> {
 }
 
 impl ShaderChecker {
+    /// Draws a program and the usual right answer in the first test scene, for nobody to see: drivers compile at the first draw,
+    /// and other threads work meanwhile.
+    ///
+    /// # Errors
+    /// OpenGL cannot be opened. Other errors are those of later draws, which report them.
+    pub(crate) fn draw_ahead(
+        &mut self,
+        task: &'static Task,
+        program: &UserProgram,
+        prepared: &Prepared,
+    ) -> Result<(), GlError> {
+        // A loop that may not end may be slow, and is perhaps never drawn.
+        if program.uniform_index(DRAWN_ALL_THE_SAME).is_some() || gonio_threads::current_num_threads() == 1 {
+            return Ok(());
+        }
+        self.prepare(task)?;
+        let (testbench, _) = &self.testbenches[task.exercise];
+        let bindings = roles::bind(&predict::declared(program), &prepared.names);
+        let declared = roles::bind(&prepared.declared, &prepared.names);
+        let parameterisation = Parameterisation::new(task, &bindings, &declared, &prepared.constants);
+        let inputs = testbench.inputs(program, &bindings, |scene| parameterisation.apply(scene));
+        let drawn = testbench.draw(program, &inputs, &conclusion::fixed(&bindings), 1);
+        let model = &self.models[&task.model];
+        let of_model = model.inputs(&parameterisation, Lights::One);
+        let right = drawn.and_then(|_| model.predict_with(testbench, &of_model, &Hypothesis::default(), 1, [[1.0; 3]; 3]));
+        let _ = right.and_then(|_| testbench.error());
+        Ok(())
+    }
+
     /// Draws a program in all test scenes. `None` if a loop never ends.
     fn drawn<'a>(
         &'a self,

@@ -1,5 +1,6 @@
 //! Traces of sequences of OpenGL calls, on the driver of this machine: Mesa's llvmpipe in CI.
 
+mod deferred;
 mod samplers;
 mod vertices;
 

@@ -3,7 +3,7 @@
 use super::{Conditional, Directive, Macro, Preprocessor};
 use crate::lex::{Token, TokenKind};
 use crate::{Limit, Problem, Severity, Span, Version};
-use std::rc::Rc;
+use std::sync::Arc;
 
 const KNOWN_VERSIONS: [u32; 16] = [100, 110, 120, 130, 140, 150, 300, 310, 320, 330, 400, 410, 420, 430, 440, 450];
 
@@ -70,7 +70,7 @@ impl Preprocessor<'_> {
                 return;
             };
             let names =
-                body[1..close].iter().filter(|t| t.kind == TokenKind::Name).map(|t| Rc::clone(&t.text)).collect();
+                body[1..close].iter().filter(|t| t.kind == TokenKind::Name).map(|t| Arc::clone(&t.text)).collect();
             parameters = Some(names);
             body = &body[close + 1..];
         }
@@ -79,7 +79,7 @@ impl Preprocessor<'_> {
         }
         self.all_macros.push(name.text.to_string());
         let found = Macro { parameters, body: body.to_vec() };
-        self.macros.insert(Rc::clone(&name.text), Rc::new(found));
+        self.macros.insert(Arc::clone(&name.text), Arc::new(found));
     }
 
     fn version(&mut self, rest: &[Token], span: Span) {

@@ -1,6 +1,6 @@
 //! Expands macros.
 
-use std::rc::Rc;
+use std::sync::Arc;
 
 use super::{Macro, OpenMacro, Preprocessor};
 use crate::lex::{Token, TokenKind};
@@ -124,7 +124,7 @@ impl Preprocessor<'_> {
     }
 
     /// Substitutes arguments for parameters in a macro's body; all positions are that of the use.
-    fn substitute(&mut self, found: &Rc<Macro>, arguments: &[Vec<Token>], used: &Token) -> Vec<Token> {
+    fn substitute(&mut self, found: &Arc<Macro>, arguments: &[Vec<Token>], used: &Token) -> Vec<Token> {
         let region = self.regions;
         let parameters = found.parameters.as_deref().unwrap_or(&[]);
         let index_of = |token: &Token| parameters.iter().position(|p| *p == token.text);

@@ -4,7 +4,7 @@ mod directives;
 mod macros;
 
 use std::collections::HashMap;
-use std::rc::Rc;
+use std::sync::Arc;
 
 use crate::lex::{Token, TokenKind};
 use crate::{Limit, Problem, Span, Version};
@@ -35,7 +35,7 @@ pub(crate) struct Preprocessed {
 /// `#define NAME(parameters) body`.
 #[derive(Debug)]
 struct Macro {
-    parameters: Option<Vec<Rc<str>>>,
+    parameters: Option<Vec<Arc<str>>>,
     body: Vec<Token>,
 }
 
@@ -54,13 +54,13 @@ struct OpenMacro {
     tokens: Vec<Token>,
     at: usize,
     /// The macro, which is not expanded again in its own body.
-    name: Option<Rc<str>>,
+    name: Option<Arc<str>>,
 }
 
 struct Preprocessor<'p> {
     raw: Vec<Token>,
     at: usize,
-    macros: HashMap<Rc<str>, Rc<Macro>>,
+    macros: HashMap<Arc<str>, Arc<Macro>>,
     all_macros: Vec<String>,
     conditionals: Vec<Conditional>,
     out: Vec<Token>,
@@ -74,7 +74,7 @@ struct Preprocessor<'p> {
     regions: u32,
     nested: usize,
     /// Macros that are being expanded around an argument.
-    disabled: Vec<Rc<str>>,
+    disabled: Vec<Arc<str>>,
     has_given_up: bool,
 }
 

@@ -6,6 +6,8 @@ mod lookup;
 mod registers;
 mod watch;
 
+pub use registers::prepare_thread;
+
 use crate::code::{CompiledStage, Instr, One, Reg, Three, Two, Whole};
 use crate::lanes::{LANES, LaneSet};
 use crate::run::{Anomalies, AnomalyKind, EndedEarly, PointValues, RunOptions, StageInputs};

@@ -73,6 +73,11 @@ thread_local! {
     static KEPT: RefCell<Vec<Option<Box<Row>>>> = const { RefCell::new(Vec::new()) };
 }
 
+/// Sets up what this thread keeps for its next run.
+pub fn prepare_thread() {
+    KEPT.with(|_| ());
+}
+
 /// A row of zeros, so that no run depends on earlier ones.
 fn zeros() -> Box<Row> {
     match KEPT.with_borrow_mut(Vec::pop).flatten() {

@@ -107,6 +107,8 @@ pub fn start(program: &Path, request: WorkerRequest, one_core: bool) -> Result<W
         true => command.env("RAYON_NUM_THREADS", "1"),
         false => command.env_remove("LP_NUM_THREADS"),
     };
+    // A software driver optimises shaders for many pixels; a check draws few, and compiles much.
+    command.env("GALLIVM_PERF", "nopt").env("LP_NATIVE_VECTOR_WIDTH", "128");
     command.args(COMMAND).args(["--language", Language::current().code()]).stdin(Stdio::piped()).stdout(Stdio::piped());
     command.args(course_options());
     let mut child = command.spawn()?;

@@ -1,6 +1,6 @@
 //! Finds out in which space a program expects its lights, and whether it uses their positions as directions.
 
-use super::{Program, score};
+use super::{Program, Scorer};
 use crate::cause::ModelSolutions;
 use crate::cause::model::{Mistakes, Model};
 use crate::cause::samples::SceneSamples;
@@ -46,11 +46,11 @@ pub(super) fn in_spaces(bound: &[Bound]) -> Vec<Vec<Bound>> {
 }
 
 /// Chooses one space for all lights: another one than that of the names only if it makes more values right.
-pub(super) fn choose_space(program: &mut Program, samples: &[SceneSamples], models: &[Model]) {
-    let mut best = (score(program, samples, models), program.bindings.bound.clone());
+pub(super) fn choose_space(program: &mut Program, scorer: &Scorer<'_>) {
+    let mut best = (scorer.score(program), program.bindings.bound.clone());
     for bound in in_spaces(&best.1).into_iter().skip(1) {
         program.bindings.bound = bound;
-        let score = score(program, samples, models);
+        let score = scorer.score(program);
         if score > best.0 {
             best = (score, program.bindings.bound.clone());
         }
@@ -76,13 +76,13 @@ pub(super) fn choose_suns(
     let models_in_sun =
         models.iter().map(|model| Model::new(solutions, model.method, model.space, &in_sun, 1.0, Mistakes::These(&[])));
     let models_in_sun = models_in_sun.collect::<Result<Vec<_>, _>>().ok()?;
-    let of_lamps = (score(program, samples, models), program.bindings.bound.clone());
+    let of_lamps = (Scorer::new(samples.first()?, models).score(program), program.bindings.bound.clone());
     for bound in program.bindings.bound.iter_mut().filter(|bound| is_fixed_function(bound)) {
         if let Role::LightPosInView(light) = bound.role {
             bound.role = Role::LightDirectionInView(light);
         }
     }
-    if score(program, &in_sun, &models_in_sun) <= of_lamps.0 {
+    if Scorer::new(in_sun.first()?, &models_in_sun).score(program) <= of_lamps.0 {
         program.bindings.bound = of_lamps.1;
         return None;
     }

@@ -1,8 +1,6 @@
 //! Finds the settings of switches: integers and booleans without a role that choose between branches.
 
-use super::{Program, score};
-use crate::cause::model::Model;
-use crate::cause::samples::SceneSamples;
+use super::{Program, Scorer};
 use crate::roles::{Declared, Fixed, VariableKind};
 
 /// Most switches that are set; more belong to an engine.
@@ -51,14 +49,14 @@ pub(super) fn are_open(program: &Program) -> bool {
 ///
 /// Switches are tried on and off together, because one may only count where another is on; then each with its other
 /// settings.
-pub(super) fn set(program: &mut Program, samples: &[SceneSamples], models: &[Model]) {
+pub(super) fn set(program: &mut Program, scorer: &Scorer<'_>) {
     let all = switches(program);
     let before = program.bindings.fixed.clone();
-    let mut best = (score(program, samples, models), vec![0.0; all.len()]);
+    let mut best = (scorer.score(program), vec![0.0; all.len()]);
     let mut attempt = |program: &mut Program, chosen: Vec<f32>| {
         program.bindings.fixed.clone_from(&before);
         program.bindings.fixed.extend(fixed(&all, &chosen));
-        let score = score(program, samples, models);
+        let score = scorer.score(program);
         if score > best.0 {
             best = (score, chosen);
         }

@@ -81,8 +81,7 @@ const STACK_BYTES: usize = 256 << 20;
 /// Reads requests from stdin and writes the answers to stdout, until the caller ends.
 pub fn check_worker() -> Result<CommandOutcome, CliError> {
     let serve = || {
-        // New threads, and the first use of channels, would wait for the loader of libraries once the driver is starting.
-        rayon::join(|| (), || ());
+        gonio_check::start_threads();
         let mut ready = None;
         // `exit` would wait for the driver.
         worker::serve(
