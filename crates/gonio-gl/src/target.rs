@@ -271,7 +271,7 @@ impl DepthTarget {
 pub struct OutputTarget {
     framebuffer: Framebuffer,
     texture: TextureObject,
-    /// For overlays, whose lines are hidden by surfaces in front of them.
+    /// For surfaces that are drawn onto it, and for overlays, whose lines are hidden by surfaces in front of them.
     depth: Option<Renderbuffer>,
     size: [i32; 2],
 }
@@ -316,14 +316,14 @@ impl OutputTarget {
 
     /// Attaches a depth buffer to the framebuffer, which is bound.
     fn add_depth(&mut self, gl: &Gl) -> Result<(), GlError> {
-        let depth = Renderbuffer::new(gl, glow::DEPTH_COMPONENT24, self.size, 0, "depth of overlays")?;
+        let depth = Renderbuffer::new(gl, glow::DEPTH_COMPONENT24, self.size, 0, "depth of the encoded picture")?;
         attach_renderbuffer(gl, glow::DEPTH_ATTACHMENT, &depth);
         self.depth = Some(depth);
-        check_complete(gl, "picture with overlays", self.size, 1)
+        check_complete(gl, "encoded picture with depth", self.size, 1)
     }
 
     /// Binds it for drawing with a depth of 1 everywhere.
-    pub fn begin_overlays(&mut self, gl: &Gl) -> Result<(), GlError> {
+    pub fn begin_with_depth(&mut self, gl: &Gl) -> Result<(), GlError> {
         self.bind(gl);
         if self.depth.is_none() {
             self.add_depth(gl)?;

@@ -87,9 +87,9 @@ impl DisplayTexture {
         self.output.resize(&self.gl, sides(size))
     }
 
-    /// Binds it for drawing lines over the picture, with a depth of 1 everywhere.
-    pub(crate) fn begin_overlays(&mut self) -> Result<(), GlError> {
-        self.output.begin_overlays(&self.gl)
+    /// Binds it for drawing with a depth of 1 everywhere: a sketch, or lines over the picture.
+    pub(crate) fn begin_with_depth(&mut self) -> Result<(), GlError> {
+        self.output.begin_with_depth(&self.gl)
     }
 
     pub(crate) fn output(&self) -> &OutputTarget {

@@ -130,7 +130,7 @@ pub fn run(
     let mut window = OutputTarget::new(gl, size.map(|side| side as i32), options.float)?;
     let apart = gl.apart();
     let recording = Recording::begin(&apart)?;
-    window.begin_overlays(gl)?;
+    window.begin_with_depth(gl)?;
     begin_anew(gl, size.map(|side| side as i32));
     let mut runner = Runner::new(apart, files);
     for step in steps {

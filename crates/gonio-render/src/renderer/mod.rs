@@ -216,6 +216,7 @@ impl Renderer {
             around: BoundEnvironment::bound(&self.shared, scene, frame)?,
             shadows,
             display: None,
+            top_row_first: false,
             prepared: HashMap::new(),
         })
     }

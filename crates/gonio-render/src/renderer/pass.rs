@@ -44,6 +44,8 @@ pub(super) struct Pass<'a> {
     pub shadows: bool,
     /// The tone map and encoding, if displayed colours are drawn.
     pub display: Option<(ToneMap, ColorEncoding)>,
+    /// Whether the top row comes first, as on a display texture.
+    pub top_row_first: bool,
     /// Programs whose uniforms of the frame are set.
     pub prepared: HashMap<SceneKey, Rc<Program>>,
 }
@@ -84,7 +86,7 @@ impl Pass<'_> {
         } else {
             gl.disable(glow::CULL_FACE);
         }
-        gl.front_face(if object.mirrored { glow::CW } else { glow::CCW });
+        gl.front_face(if object.mirrored != self.top_row_first { glow::CW } else { glow::CCW });
         gl.draw_elements(glow::TRIANGLES, count as i32, glow::UNSIGNED_INT, first as i32);
         Ok(())
     }
@@ -198,8 +200,11 @@ impl Pass<'_> {
         let frame = self.frame;
         let aspect = f64::from(frame.width) / f64::from(frame.height);
         // Multiplied in f64, so that a model far from the origin keeps its place to the pixel.
-        let clip_from_model: DMat4 =
+        let mut clip_from_model: DMat4 =
             frame.camera.clip_from_view(aspect) * frame.camera.view_from_world() * object.world_from_model;
+        if self.top_row_first {
+            clip_from_model = DMat4::from_scale(DVec3::new(1.0, -1.0, 1.0)) * clip_from_model;
+        }
         program.set_mat4("clip_from_model", &clip_from_model.as_mat4());
         program.set_mat4("world_from_model", &object.world_from_model.as_mat4());
         program.set_mat3("normal_world_from_model", &object.normal_world_from_model);

@@ -181,7 +181,7 @@ impl Shared {
     ) -> Result<u32, GlError> {
         let gl = &self.gl;
         let _group = DebugGroup::new(gl, "overlays");
-        canvas.begin_overlays()?;
+        canvas.begin_with_depth()?;
         // The texture's first row is the picture's top.
         let clip_from_world = DMat4::from_scale(DVec3::new(1.0, -1.0, 1.0)) * clip_from_world(frame);
         gl.enable(glow::DEPTH_TEST);

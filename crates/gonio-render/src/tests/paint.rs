@@ -79,6 +79,34 @@ fn a_finished_picture_is_shown_like_a_drawn_one() {
     }
 }
 
+/// The sketches are drawn upside down onto the canvas: the monkey looks to one side, and is mirrored.
+#[test]
+fn a_sketch_is_the_picture_with_one_sample() {
+    let turned = "[picture]\nwidth = 90\nheight = 70\n[[object]]\nmodel = \"builtin:suzanne\"\nrotate = [20, 35, 0]\n\
+                  scale = [-1, 1, 1]\n[background]\ntop = [0.9, 0.2, 0.1]\nbottom = [0.1, 0.2, 0.9]\n";
+    let open = "[picture]\nwidth = 90\nheight = 70\n[[object]]\nmodel = \"builtin:still-life\"\nshading = \"flat\"\n";
+    let around = format!("{MONKEY}[environment]\nimage = \"debug\"\n");
+    for es in [false, true] {
+        for (text, is_exact) in [(turned, false), (open, false), (&around, true)] {
+            let scene = loaded(text);
+            let (gl, mut renderer) = renderer(es);
+            let uploaded = renderer.upload(&scene).unwrap_or_else(|error| panic!("{error}"));
+            let [mut sketch, mut picture] =
+                [0; 2].map(|_| DisplayTexture::new(&gl, [1, 1]).unwrap_or_else(|error| panic!("{error}")));
+            let plain = DisplayOptions::default();
+            renderer.paint_sketch(&uploaded, &scene.frame(0.0), &plain, &mut sketch).unwrap_or_else(|e| panic!("{e}"));
+            let frame = gonio_scene::Frame { samples: 1, ..scene.frame(0.0) };
+            renderer.paint(&uploaded, &frame, &plain, &mut picture).unwrap_or_else(|error| panic!("{error}"));
+            let (sketch, picture) = (sketch.read8(), picture.read8());
+            let pairs = sketch.chunks_exact(4).zip(picture.chunks_exact(4));
+            let is_near = |(a, b): &(&[u8], &[u8])| a.iter().zip(*b).all(|(a, b)| a.abs_diff(*b) <= 2);
+            // A pixel whose centre lies on an edge may be on either side of it.
+            let different = pairs.filter(|pair| !is_near(pair)).count();
+            assert!(different <= if is_exact { 0 } else { 20 }, "es {es}: {different} pixels differ\n{text}");
+        }
+    }
+}
+
 #[test]
 fn where_nothing_is_a_canvas_is_premultiplied() {
     let scene = loaded(&format!("[background]\ntransparent = true\n{MONKEY}"));

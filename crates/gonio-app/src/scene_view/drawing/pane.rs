@@ -234,7 +234,9 @@ impl PaneDrawing {
             none => none.insert(DisplayTexture::new(gl, size)?),
         };
         self.shaders = serial;
-        let painted = if pace.moving {
+        let painted = if pace.moving && shaders.is_none() && samples == 1 {
+            renderer.paint_sketch(uploaded, &frame, &show, canvas)?
+        } else if pace.moving {
             paint(renderer, shaders, (loaded, uploaded), &frame, &show, canvas)?
         } else {
             let start = web_time::Instant::now();
