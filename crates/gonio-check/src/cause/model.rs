@@ -402,6 +402,7 @@ impl Model {
         }
         model.add_vectors_to_eye();
         let inputs: Vec<Quantity> = STAGES.into_iter().flat_map(|stage| inputs(stage, given, method.model)).collect();
+        model.add_vectors_at_vertices(&inputs);
         model.add_intermediate(&inputs);
         model.interpolate(samples);
         if space == Space::World {
@@ -447,6 +448,38 @@ impl Model {
         };
         let of_eye: Vec<Quantity> = self.quantities.iter().filter_map(opposite).collect();
         self.quantities.extend(of_eye);
+    }
+
+    /// Adds the vectors to the light and to the eye at the vertices, where the model computes them at the places: as varyings,
+    /// they are as right.
+    fn add_vectors_at_vertices(&mut self, inputs: &[Quantity]) {
+        let is_absent = |name: &str| self.right(name, Stage::Vertex, false).is_none();
+        let Some(position) = self.right("world_position", Stage::Vertex, false).cloned() else { return };
+        if self.right("to_light", Stage::Fragment, false).is_none() {
+            return;
+        }
+        let given = |name: &str, space: Space| {
+            let is_it = |q: &&Quantity| q.stage == Stage::Vertex && q.name == name && q.space == space;
+            inputs.iter().find(is_it).map(|q| &q.values)
+        };
+        let from_position = |to: Option<&Values>| {
+            let at = |point: usize, axis: usize| to.map_or(0.0, |to| to.at(point)[axis]);
+            position.map(3, |point, from, vector| {
+                vector.iter_mut().zip(from).enumerate().for_each(|(axis, (v, from))| *v = at(point, axis) - from);
+            })
+        };
+        // In view space, the eye is at the origin.
+        let eye = (self.space == Space::World).then(|| given("u_view_pos", Space::World)).flatten();
+        let to_light = given("light_pos", self.space).map(|light| ("to_light", from_position(Some(light))));
+        let vectors = to_light.into_iter().chain([("to_eye", from_position(eye))]);
+        let vectors: Vec<(&str, Values)> = vectors.filter(|(name, _)| is_absent(name)).collect();
+        self.quantities.extend(vectors.into_iter().map(|(name, values)| Quantity {
+            name: name.to_owned(),
+            stage: Stage::Vertex,
+            space: self.space,
+            values,
+            ..Quantity::default()
+        }));
     }
 
     /// Adds values that programs compute within a line.

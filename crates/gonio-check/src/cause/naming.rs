@@ -1,7 +1,7 @@
 //! Names for proven repairs: the mistakes of the catalogue that assign the same wrong quantity to the same variable.
 
 use super::model::{INPUTS, Quantity, TELLING};
-use super::observed::{Observed, Observer, SCALED, SUMS, TERMS, is_name};
+use super::observed::{Observed, Observer, SCALED, SUMS, TERMS, has_space, is_name};
 use super::program::Change;
 use super::repair::{Make, Relation, Repair};
 use super::right_change::RightChange;
@@ -76,6 +76,18 @@ impl ProvenCause {
     #[must_use]
     pub fn is_sound(&self) -> bool {
         !self.mistakes.is_empty()
+    }
+
+    /// Whether it is the sum of all light, which every mistake makes wrong.
+    #[must_use]
+    pub fn is_of_sum(&self) -> bool {
+        SUMS.contains(&self.repair.should.as_str())
+    }
+
+    /// Whether it is a position or a direction that is computed from right values.
+    #[must_use]
+    pub fn is_first_vector(&self) -> bool {
+        self.depth == 1 && has_space(&self.repair.should)
     }
 
     /// Whether it is the same value, written again.

@@ -10,9 +10,10 @@ use super::recording::{Recorded, STAGES, TELLING, observe};
 use super::samples::SceneSamples;
 use super::solutions::ModelSolutions;
 use crate::comparison::Lights;
-use crate::mistakes::{Hypotheses, Hypothesis, Mistake, ModelSolution};
+use crate::mistakes::{Hypotheses, Hypothesis, Mistake, ModelSolution, term_of};
+use crate::roles::is_about;
 use gonio_glsl::{Span, Stage};
-use gonio_interpreter::SourceExpression;
+use gonio_interpreter::{ExprId, SourceExpression};
 use std::collections::BTreeSet;
 
 /// The sum of all light, and what is put out of it.
@@ -141,8 +142,9 @@ pub(super) fn places(
         let is_sum = variables.contains(SUM) && !is_right_elsewhere;
         let put_out = is_put_out.then(|| output_with(program, &observed, all(), is_right_elsewhere)).flatten();
         let constant = || {
-            let of =
-                |all: &[&(String, Recorded)]| all.iter().find_map(|(_, one)| first_constant(program, &observed, one));
+            let of = |all: &[&(String, Recorded)]| {
+                all.iter().find_map(|(_, one)| first_constant(program, &observed, one, &mistake.id))
+            };
             of(&direct).or_else(|| of(&after)).map(|seen| (seen, true))
         };
         let of_direct = || first(&direct).map(|seen| (seen, true)).or_else(constant);
@@ -202,7 +204,10 @@ fn of_lights(
     let text = |seen: &&Recorded| program.text(seen.stage, seen.expr);
     let set = observed.iter().filter(|seen| is_assignment(text(seen))).filter(is_it);
     let others = observed.iter().filter(|seen| !is_name(text(seen))).filter(is_it);
-    let found = set.max_by_key(|seen| seen.order).or_else(|| others.min_by_key(|seen| seen.order));
+    // The light of a function is added where the function is called.
+    let calls = others.clone().filter(|seen| program.is_call(seen.stage, seen.expr));
+    let by_order = |seen: &&Recorded| seen.order;
+    let found = set.max_by_key(by_order).or_else(|| calls.max_by_key(by_order)).or_else(|| others.min_by_key(by_order));
     found.map(|seen| place_at(program, mistake, seen, true))
 }
 
@@ -261,14 +266,28 @@ fn first_with<'a>(program: &Program, observed: &'a [Recorded], name: &str, of: &
     same.min_by_key(|seen| (is_read(seen), seen.order)).or_else(last)
 }
 
-/// The first expression that computes a constant, or the first number that a variable is set to.
-fn first_constant<'a>(program: &Program, observed: &'a [Recorded], of: &Recorded) -> Option<&'a Recorded> {
+/// The first expression that computes a constant, or the first number that a variable is set to. Many variables are 0 at first:
+/// that is a mistake with a term only if the variable is named after it, and never set again.
+fn first_constant<'a>(program: &Program, observed: &'a [Recorded], of: &Recorded, id: &str) -> Option<&'a Recorded> {
     let grey = of.values.grey();
+    let is_zero = of.values.root_mean_square() == 0.0;
+    let is_of_term = |seen: &Recorded| {
+        let named = program.variable_set_to(seen.stage, seen.expr).zip(term_of(id));
+        named.is_some_and(|(name, term)| {
+            let all = program.numbers(seen.stage).into_iter();
+            let is_set = |expr: &ExprId| program.variable_set_to(seen.stage, *expr) == Some(name);
+            is_about(name, term) && all.filter(is_set).count() == 1
+        })
+    };
     let is_it = |seen: &&Recorded| {
         let text = program.text(seen.stage, seen.expr);
         let is_computed = text.contains('(') || program.is_set_or_returned(seen.stage, seen.expr) && !is_name(text);
         let is_same = || seen.values.is_same(&of.values) || grey.as_ref().is_some_and(|grey| seen.values.is_same(grey));
-        seen.stage == of.stage && is_computed && seen.values.is_constant() && is_same()
+        seen.stage == of.stage
+            && is_computed
+            && seen.values.is_constant()
+            && is_same()
+            && (!is_zero || is_of_term(seen))
     };
     observed.iter().filter(is_it).min_by_key(|seen| seen.order)
 }

@@ -182,8 +182,10 @@ impl Program {
     #[must_use]
     pub fn is_set_or_returned(&self, stage: Stage, expr: ExprId) -> bool {
         let Some(span) = self.stage(stage).source.expression(expr).map(|expr| expr.span) else { return false };
-        let before = self.texts[stage as usize].get(..span.start as usize).unwrap_or_default().trim_end();
-        self.is_whole_value(stage, expr) || before.ends_with("return")
+        let text = &self.texts[stage as usize];
+        let before = text.get(..span.start as usize).unwrap_or_default().trim_end();
+        let after = text.get(span.end as usize..).unwrap_or_default().trim_start();
+        self.is_whole_value(stage, expr) || before.ends_with("return") && after.starts_with(';')
     }
 
     /// Whether an expression is the call of a function of the program itself.

@@ -311,6 +311,13 @@ impl Judging<'_> {
     /// The mistakes that explain the picture, at the lines of their causes.
     fn explained(&self, diagnosis: &Diagnosis, groups: &[Vec<ProvenCause>]) -> Vec<FoundMistake> {
         let Some(first) = diagnosis.explanations.first() else { return Vec::new() };
+        // A term that another vector brings back is not missing.
+        if let ([mistake], [group]) = (first.mistakes.as_slice(), groups)
+            && mistake.id.ends_with("-missing")
+            && let Some(vector) = group.iter().find(|cause| cause.is_first_vector() && cause.mistakes.is_empty())
+        {
+            return vec![unlisted(vector, self.submission)];
+        }
         // A term that a mistake takes away is not missing besides.
         let is_explained = |missing: &FoundMistake| {
             let term = term_of(&missing.id);
@@ -325,7 +332,10 @@ impl Judging<'_> {
         // wrong value, or the only use of a variable that is set to it. Where the sum is wrong, it may be one of its terms.
         let is_of_place = |cause: &ProvenCause, place: &MistakePlace| match first.mistakes.len() {
             _ if lacks_length(cause) => false,
-            0 | 1 => (is_long || place.is_sum || place.is_computed && !place.is_given) && cause.distance > 0,
+            0 | 1 => {
+                let is_nearer = !place.is_given || cause.is_of_sum();
+                (is_long || place.is_sum || place.is_computed && is_nearer) && cause.distance > 0
+            }
             _ => {
                 let is_same_stage = cause.stage == place.stage;
                 // A variable or a varying is wrong where it is set.
@@ -378,7 +388,11 @@ impl Judging<'_> {
                 }
                 (Some(cause), _) => placed(new, (cause.stage, cause.span), self.submission),
                 (None, Some(place)) => placed(new, (place.stage, place.span), self.submission),
-                (None, None) => new,
+                // A single cause is proven, whatever it is called.
+                (None, None) => match causes.as_slice() {
+                    [only] if first.mistakes.len() == 1 => placed(new, (only.stage, only.span), self.submission),
+                    _ => new,
+                },
             });
         }
         found
