@@ -248,10 +248,11 @@ pub(crate) const SLIPS: &[Slip] = &[
     listed("diffuse-not-attenuated", Site::Sum, whole),
     listed("specular-not-attenuated", Site::Sum, whole),
     listed("terms-not-put-out", Site::Sum, |a, p| plain_sum(a, p) && a.lights == 1),
-    listed("ambient-twice", Site::Sum, one_light),
+    // Twice a written strength is another strength, and a grey of written numbers another colour.
+    listed("ambient-twice", Site::Sum, |a, p| one_light(a, p) && !a.writes.strengths),
     listed("ambient-times-diffuse", Site::Sum, whole),
     listed("ambient-as-maximum", Site::Sum, |a, p| coloured_sum(a, p) && a.lights == 1),
-    listed("ambient-not-coloured", Site::Sum, coloured_sum),
+    listed("ambient-not-coloured", Site::Sum, |a, p| coloured_sum(a, p) && !(a.writes.strengths && a.writes.material)),
     listed("terms-multiplied", Site::Sum, plain_sum),
     listed("diffuse-times-specular", Site::Sum, plain_sum),
     listed("attenuation-added", Site::Sum, |a, p| plain_sum(a, p) && a.lights == 1),

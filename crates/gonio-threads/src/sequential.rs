@@ -157,8 +157,8 @@ impl<T> ParallelSliceMut<T> for [T] {
 
 #[cfg(test)]
 mod tests {
-    use super::{beside, broadcast, join};
     use super::prelude::*;
+    use super::{beside, broadcast, join};
 
     #[test]
     fn both_parts_run_and_return_beside_each_other() {

@@ -333,12 +333,7 @@ fn open_attributes(program: &Program) -> Option<[usize; 2]> {
 }
 
 /// The three numbers among the open ones that are the constants of the attenuation: together they give a right value.
-fn attenuation(
-    program: &mut Program,
-    scorer: &Scorer<'_>,
-    bound: &[Bound],
-    open: &[usize],
-) -> Option<[usize; 3]> {
+fn attenuation(program: &mut Program, scorer: &Scorer<'_>, bound: &[Bound], open: &[usize]) -> Option<[usize; 3]> {
     let is_number = |index: &&usize| bound[**index].declared.glsl_type == "float";
     let numbers: Vec<usize> = open.iter().filter(is_number).copied().collect();
     // An input has one meaning.

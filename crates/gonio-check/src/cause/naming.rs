@@ -90,6 +90,12 @@ impl ProvenCause {
         self.depth == 1 && has_space(&self.repair.should)
     }
 
+    /// Whether it computes a right term, of which another one is needed.
+    #[must_use]
+    pub fn is_right_term(&self) -> bool {
+        self.is_given && !is_name(&self.text) && self.repair.relation != Relation::Length
+    }
+
     /// Whether it is the same value, written again.
     #[must_use]
     pub fn is_same_value(&self, other: &Self) -> bool {

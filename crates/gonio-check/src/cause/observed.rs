@@ -287,6 +287,12 @@ impl Observer<'_> {
             || text.strip_suffix(['f', 'F']).is_some_and(|number| number.parse::<f32>().is_ok())
     }
 
+    /// Whether it is a written zero, from which sums start: `vec3(0.0)`.
+    pub(super) fn is_zero(&self, seen: &Observed) -> bool {
+        let is_of_zero = |c: char| "vec234 0.,()fF".contains(c);
+        seen.values.numbers.iter().all(|x| *x == 0.0 || x.is_nan()) && self.text(seen).chars().all(is_of_zero)
+    }
+
     /// Whether it reads an attribute or a uniform, which are never wrong themselves.
     pub(super) fn is_input(&self, seen: &Observed) -> bool {
         self.runner.program.is_input(seen.stage, self.text(seen))

@@ -143,7 +143,7 @@ impl Observer<'_> {
             let is_right = seen.is.is_some_and(|is| fits(&model.quantities[is]));
             let size = seen.values.size;
             let length = (text(seen).1 - text(seen).0) as f32;
-            let is_literal = self.is_literal(seen);
+            let is_literal = self.is_literal(seen) || self.is_zero(seen);
             let is_compared = self.runner.program.is_compared(seen.stage, seen.expr);
             // `vec3(ambient)` is as right as the number, and may only lack a colour.
             let grey = if seen.is.is_none() { seen.values.grey() } else { None };

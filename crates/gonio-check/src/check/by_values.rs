@@ -190,7 +190,8 @@ impl Judging<'_> {
 
     /// The verdict on a program with this diagnosis.
     fn judged(&self, checker: &mut ShaderChecker, diagnosis: &Diagnosis) -> Result<Judged, GlError> {
-        let endless = || Judged { verdict: endless_verdict(self.values.task.exercise), evidence: None, fixes: Vec::new() };
+        let endless =
+            || Judged { verdict: endless_verdict(self.values.task.exercise), evidence: None, fixes: Vec::new() };
         let groups = if let Found::Causes(groups) = &diagnosis.found { groups.as_slice() } else { &[] };
         let mistakes = match &diagnosis.found {
             Found::Endless => return Ok(endless()),
@@ -354,6 +355,8 @@ impl Judging<'_> {
             let is_one = |mistake: &Mistake| alternatives.iter().any(|other| other.id == mistake.id);
             let cause = causes.iter().position(|cause| cause.mistakes.iter().take(1 + cause.equals).any(|m| is_one(m)));
             let cause = cause.map(|at| causes.remove(at));
+            // A single cause is proven, whatever it is called.
+            let only = || causes.first().copied().filter(|_| first.mistakes.len() == 1 && causes.len() == 1);
             // Pictures do not tell some mistakes apart, but the wrong values may.
             let place_of = |mistake: &Mistake| {
                 let mut places = diagnosis.places.iter().filter(|place| place.mistake.id == mistake.id);
@@ -386,12 +389,18 @@ impl Judging<'_> {
                 (Some(cause), Some(place)) if place.is_direct && is_of_place(cause, place) => {
                     placed(new, (place.stage, place.span), self.submission)
                 }
+                // A right term is used wrongly where the sum is.
+                (Some(cause), Some(place))
+                    if first.mistakes.len() == 1 && cause.is_right_term() && !place.is_direct =>
+                {
+                    placed(new, (place.stage, place.span), self.submission)
+                }
                 (Some(cause), _) => placed(new, (cause.stage, cause.span), self.submission),
-                (None, Some(place)) => placed(new, (place.stage, place.span), self.submission),
-                // A single cause is proven, whatever it is called.
-                (None, None) => match causes.as_slice() {
-                    [only] if first.mistakes.len() == 1 => placed(new, (only.stage, only.span), self.submission),
-                    _ => new,
+                (None, Some(place)) if !place.is_given => placed(new, (place.stage, place.span), self.submission),
+                (None, place) => match (only(), place) {
+                    (Some(cause), _) => placed(new, (cause.stage, cause.span), self.submission),
+                    (None, Some(place)) => placed(new, (place.stage, place.span), self.submission),
+                    (None, None) => new,
                 },
             });
         }

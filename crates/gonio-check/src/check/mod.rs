@@ -203,13 +203,8 @@ fn check_files(
         Ok(program) => program,
         Err(broken) => return does_not_compile(&broken),
     };
-    let judging = by_values::Judging {
-        values,
-        prepared: &prepared,
-        submission: &submission,
-        program: &program,
-        source: &source,
-    };
+    let judging =
+        by_values::Judging { values, prepared: &prepared, submission: &submission, program: &program, source: &source };
     let judged = diagnosis.map(|diagnosis| judging.judge(checker, diagnosis)).transpose()?.flatten();
     let (mut verdict, evidence, fixes) = match judged {
         Some(by_values::Judged { verdict, evidence, fixes }) => (verdict, evidence, fixes),

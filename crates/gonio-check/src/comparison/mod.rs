@@ -85,7 +85,12 @@ impl ShaderChecker {
 
     /// Creates a checker for an OpenGL context that may be opened later: what needs none precedes it.
     pub fn deferred(gl: DeferredGl) -> Self {
-        ShaderChecker { gl: Rc::new(gl), models: HashMap::new(), testbenches: HashMap::new(), solutions: Arc::default() }
+        ShaderChecker {
+            gl: Rc::new(gl),
+            models: HashMap::new(),
+            testbenches: HashMap::new(),
+            solutions: Arc::default(),
+        }
     }
 
     /// Returns the OpenGL context.

@@ -107,7 +107,8 @@ impl ShaderChecker {
         let drawn = testbench.draw(program, &inputs, &conclusion::fixed(&bindings), 1);
         let model = &self.models[&task.model];
         let of_model = model.inputs(&parameterisation, Lights::One);
-        let right = drawn.and_then(|_| model.predict_with(testbench, &of_model, &Hypothesis::default(), 1, [[1.0; 3]; 3]));
+        let right =
+            drawn.and_then(|_| model.predict_with(testbench, &of_model, &Hypothesis::default(), 1, [[1.0; 3]; 3]));
         let _ = right.and_then(|_| testbench.error());
         Ok(())
     }

@@ -222,7 +222,8 @@ impl Words {
 
 fn meaning(word: &str) -> Option<&'static str> {
     static BY_SPELLING: LazyLock<HashMap<&str, &str>> = LazyLock::new(|| {
-        let all = MEANINGS.iter().flat_map(|(spellings, meaning)| spellings.split_whitespace().map(move |s| (s, *meaning)));
+        let all =
+            MEANINGS.iter().flat_map(|(spellings, meaning)| spellings.split_whitespace().map(move |s| (s, *meaning)));
         // Of a word that is there twice, the first meaning counts.
         all.rev().collect()
     });

@@ -7,10 +7,10 @@ pub mod scene;
 mod sky;
 
 pub use draw::{Atlas, ProgramInputs, TILE, Testbench, stream_of};
+use gonio_gl::{Dialect, Gl};
 pub use inputs::{CUBEMAP_UNIT, WHITE_UNIT, numbers, numbers_of_array, samplers, uniform_bits, unit};
 pub use mesh::{TestMesh, TestShape};
 pub use scene::{TestLight, TestScene};
-use gonio_gl::{Dialect, Gl};
 pub use sky::{SKY_SIDE, radiance, sky_faces};
 
 /// Converts one of gonio's own shaders from 330 core to 300 es if the context needs it.

@@ -128,7 +128,10 @@ fn every_message_is_found_and_none_refers_to_another() {
             for (id, source) in all {
                 assert!(source.starts_with(id), "{id}: {source}");
                 let is_alone = |inline: &InlineExpression<&str>| {
-                    !matches!(inline, InlineExpression::MessageReference { .. } | InlineExpression::TermReference { .. })
+                    !matches!(
+                        inline,
+                        InlineExpression::MessageReference { .. } | InlineExpression::TermReference { .. }
+                    )
                 };
                 let mut elements = Vec::new();
                 for entry in parsed(source).body {
@@ -137,7 +140,9 @@ fn every_message_is_found_and_none_refers_to_another() {
                     elements.extend(message.attributes.into_iter().flat_map(|attribute| attribute.value.elements));
                 }
                 for element in elements {
-                    let PatternElement::Placeable { expression: Expression::Inline(inline) } = element else { continue };
+                    let PatternElement::Placeable { expression: Expression::Inline(inline) } = element else {
+                        continue;
+                    };
                     assert!(is_alone(&inline), "{id} refers to another message: {inline:?}");
                 }
             }
