@@ -204,23 +204,28 @@ fn assign_uniforms(program: &mut Program, scorer: &Scorer<'_>) {
                     program.bindings.bound[*index].role = usual;
                 }
             }
-            let mut best = (scorer.score(program), usual);
-            for role in candidates(&bound[*index]) {
-                // An input has one meaning.
-                let is_same = |a: Role, b: Role| a == b || [a, b].iter().all(|role| LIGHT_POSITIONS.contains(role));
+            // An input has one meaning.
+            let is_same = |a: Role, b: Role| a == b || [a, b].iter().all(|role| LIGHT_POSITIONS.contains(role));
+            let is_free = |role: &&Role| {
                 let is_other = |(other, bound): (usize, &Bound)| {
                     other != *index
                         && bound.how == How::Name
-                        && is_same(bound.role, *role)
+                        && is_same(bound.role, **role)
                         && (NUMBERS.contains(role) || VECTORS.contains(role))
                 };
-                if program.bindings.bound.iter().enumerate().any(is_other) {
-                    continue;
-                }
-                program.bindings.bound[*index].role = *role;
-                let score = scorer.score(program);
+                !program.bindings.bound.iter().enumerate().any(is_other)
+            };
+            let roles: Vec<Role> = candidates(&bound[*index]).iter().filter(is_free).copied().collect();
+            let score = |role: &Role| {
+                let mut other = program.clone();
+                other.bindings.bound[*index].role = *role;
+                scorer.score(&other)
+            };
+            let scores: Vec<usize> = roles.par_iter().map(score).collect();
+            let mut best = (scorer.score(program), usual);
+            for (role, score) in roles.into_iter().zip(scores) {
                 if score > best.0 {
-                    best = (score, *role);
+                    best = (score, role);
                 }
             }
             program.bindings.bound[*index].role = best.1;

@@ -14,7 +14,7 @@ fn opengl_is_opened_once_and_when_it_is_used() {
         Ok(context(false).gl().clone())
     });
     assert_eq!((gl.dialect(), opened.get()), (Dialect::Core330, 0));
-    let version = gl.get().map(|gl| gl.version()).unwrap();
+    let version = gl.get().map(|gl| gl.version()).unwrap_or_else(|error| panic!("{error}"));
     assert!(version >= (3, 3), "{version:?}");
     assert_eq!(gl.get().map(|gl| gl.version()), Ok(version));
     assert_eq!(opened.get(), 1);
