@@ -82,8 +82,7 @@ pub fn compile(gl: &Gl, vertex: &ParsedStage<'_>, fragment: &ParsedStage<'_>) ->
     }
     let program = UserProgram::new(gl, &vertex.translated.text, &fragment.translated.text)?;
     // The translation may have corrected an error that every compiler reports in the student's own text.
-    let refused = |stage: &ParsedStage<'_>| stage.problems().any(|problem| problem.severity == Severity::Error);
-    if refused(vertex) || refused(fragment) {
+    if !vertex.is_accepted() || !fragment.is_accepted() {
         UserProgram::new(gl, &vertex.text.text, &fragment.text.text)?;
     }
     // This driver may be lenient: a construct that the version does not have is wrong in any case.

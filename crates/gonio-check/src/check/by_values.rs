@@ -312,13 +312,6 @@ impl Judging<'_> {
     /// The mistakes that explain the picture, at the lines of their causes.
     fn explained(&self, diagnosis: &Diagnosis, groups: &[Vec<ProvenCause>]) -> Vec<FoundMistake> {
         let Some(first) = diagnosis.explanations.first() else { return Vec::new() };
-        // A term that another vector brings back is not missing.
-        if let ([mistake], [group]) = (first.mistakes.as_slice(), groups)
-            && mistake.id.ends_with("-missing")
-            && let Some(vector) = group.iter().find(|cause| cause.is_first_vector() && cause.mistakes.is_empty())
-        {
-            return vec![unlisted(vector, self.submission)];
-        }
         // A term that a mistake takes away is not missing besides.
         let is_explained = |missing: &FoundMistake| {
             let term = term_of(&missing.id);
@@ -326,6 +319,14 @@ impl Judging<'_> {
         };
         let mut found = self.beside_right_values(diagnosis);
         found.retain(|missing| !is_explained(missing));
+        // A term that another vector brings back is not missing.
+        if let ([mistake], [group]) = (first.mistakes.as_slice(), groups)
+            && mistake.id.ends_with("-missing")
+            && let Some(vector) = group.iter().find(|cause| cause.is_first_vector() && cause.mistakes.is_empty())
+        {
+            found.push(unlisted(vector, self.submission));
+            return found;
+        }
         let is_long = self.values.task.model.has_roughness();
         // A vector that lacks its length lacks it where it is set.
         let lacks_length = |cause: &ProvenCause| cause.relation == Relation::Length && cause.is_given;
@@ -385,23 +386,23 @@ impl Judging<'_> {
             }
             let new =
                 FoundMistake { or, lab_does_it: mistake.lab_does_it, ..FoundMistake::from_catalogue(mistake, 1.0) };
-            found.push(match (cause, place_of(mistake)) {
-                (Some(cause), Some(place)) if place.is_direct && is_of_place(cause, place) => {
-                    placed(new, (place.stage, place.span), self.submission)
-                }
+            let of_cause = |cause: &ProvenCause| (cause.stage, cause.span);
+            let of_place = |place: &MistakePlace| (place.stage, place.span);
+            let at = match (cause, place_of(mistake)) {
+                (Some(cause), Some(place)) if place.is_direct && is_of_place(cause, place) => Some(of_place(place)),
                 // A right term is used wrongly where the sum is.
                 (Some(cause), Some(place))
                     if first.mistakes.len() == 1 && cause.is_right_term() && !place.is_direct =>
                 {
-                    placed(new, (place.stage, place.span), self.submission)
+                    Some(of_place(place))
                 }
-                (Some(cause), _) => placed(new, (cause.stage, cause.span), self.submission),
-                (None, Some(place)) if !place.is_given => placed(new, (place.stage, place.span), self.submission),
-                (None, place) => match (only(), place) {
-                    (Some(cause), _) => placed(new, (cause.stage, cause.span), self.submission),
-                    (None, Some(place)) => placed(new, (place.stage, place.span), self.submission),
-                    (None, None) => new,
-                },
+                (Some(cause), _) => Some(of_cause(cause)),
+                (None, Some(place)) if !place.is_given => Some(of_place(place)),
+                (None, place) => only().map(of_cause).or(place.map(of_place)),
+            };
+            found.push(match at {
+                Some(at) => placed(new, at, self.submission),
+                None => new,
             });
         }
         found

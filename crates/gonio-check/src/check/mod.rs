@@ -132,15 +132,13 @@ fn check_files(
         Ok((verdict, None))
     };
     // The driver says why; the interpreter runs nothing that does not compile.
-    let is_refused = !vertex.is_accepted() || !fragment.is_accepted();
-    if is_refused && let Err(broken) = compile(checker.gl()?, &vertex, &fragment) {
+    let unlinked = does_not_link(exercise.id, &vertex, &fragment);
+    let is_sound = vertex.is_accepted() && fragment.is_accepted() && unlinked.is_none();
+    if !is_sound && let Err(broken) = compile(checker.gl()?, &vertex, &fragment) {
         return does_not_compile(&broken);
     }
-    if let Some(verdict) = does_not_link(exercise.id, &vertex, &fragment) {
-        return match compile(checker.gl()?, &vertex, &fragment) {
-            Ok(_) => Ok((verdict, None)),
-            Err(broken) => does_not_compile(&broken),
-        };
+    if let Some(verdict) = unlinked {
+        return Ok((verdict, None));
     }
     if let Some(judge) = exercise.judge {
         let gl = checker.gl()?;
