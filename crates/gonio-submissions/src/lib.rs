@@ -26,7 +26,7 @@ use expression::{Random, Site};
 use mistakes::{SLIPS, Slip, id_of};
 use names::{Dialect, Names};
 use pictures::{Bench, Picture, Program, is_same, is_visible};
-use plan::{Answer, Plan, SumForm};
+use plan::{Answer, NormalBy, Plan, SumForm};
 #[cfg(test)]
 use scenes::{Field, Meaning};
 use writer::{Context, Input, Style, Writer};
@@ -141,7 +141,16 @@ impl Sketch {
         // Only the exercise says that its V has the translation of the camera.
         let is_open_sky =
             slip.key == "skybox-keeps-translation" && [self.names.get("V"), self.names.get("P")] != ["V", "P"];
-        (slip.fits)(answer, &self.plan) && !(is_product && self.names.are_meaningless) && !is_open_sky
+        // Diffuse light in view space is right with a normal matrix and a light of that space, unless the name tells another one.
+        let is_open_space = slip.key == "position-in-view-space"
+            && !answer.task.has_specular()
+            && match self.plan.normal_by {
+                NormalBy::Mat3Uniform => true,
+                NormalBy::Computed | NormalBy::RowTimesInverse => false,
+                _ => !["itM", "inverseTransposeModel"].contains(&self.names.get("itM")),
+            };
+        let is_open = is_product && self.names.are_meaningless || is_open_sky || is_open_space;
+        (slip.fits)(answer, &self.plan) && !is_open
     }
 
     /// Where a mistake is in the text.

@@ -228,7 +228,7 @@ pub(crate) const SLIPS: &[Slip] = &[
     listed("attenuation-distance-not-squared", Site::Attenuation, whole),
     listed("attenuation-inverse-square", Site::Attenuation, whole),
     listed("attenuation-inverse-distance", Site::Attenuation, whole),
-    listed("attenuation-swapped", Site::Attenuation, whole),
+    listed("attenuation-swapped", Site::Attenuation, |a, p| whole(a, p) && !a.writes.attenuation),
     listed("attenuation-not-inverted", Site::Attenuation, whole),
     unlisted("attenuation-cubed", Site::Attenuation, whole),
     unlisted("attenuation-constant-outside", Site::Attenuation, whole),
@@ -248,8 +248,9 @@ pub(crate) const SLIPS: &[Slip] = &[
     listed("diffuse-not-attenuated", Site::Sum, whole),
     listed("specular-not-attenuated", Site::Sum, whole),
     listed("terms-not-put-out", Site::Sum, |a, p| plain_sum(a, p) && a.lights == 1),
-    // Twice a written strength is another strength, and a grey of written numbers another colour.
-    listed("ambient-twice", Site::Sum, |a, p| one_light(a, p) && !a.writes.strengths),
+    // Twice a written strength is another strength, a grey of written numbers another colour, and with a written colour each term
+    // may have its own.
+    listed("ambient-twice", Site::Sum, |a, p| one_light(a, p) && !a.writes.strengths && !a.writes.material),
     listed("ambient-times-diffuse", Site::Sum, whole),
     listed("ambient-as-maximum", Site::Sum, |a, p| coloured_sum(a, p) && a.lights == 1),
     listed("ambient-not-coloured", Site::Sum, |a, p| coloured_sum(a, p) && !(a.writes.strengths && a.writes.material)),
@@ -278,7 +279,7 @@ pub(crate) const SLIPS: &[Slip] = &[
     unlisted("refract-swapped", Site::Mirror, glass),
     listed("refraction-ratio-inverted", Site::Ratio, glass),
     listed("refraction-ratio-missing", Site::Ratio, glass),
-    unlisted("refraction-ratio-squared", Site::Ratio, glass),
+    unlisted("refraction-ratio-squared", Site::Ratio, |a, p| glass(a, p) && !a.writes.index),
     listed("lookup-mirrored", Site::Lookup, cubemap),
     listed("lookup-flipped", Site::Lookup, cubemap),
     listed("lookup-depth-mirrored", Site::Lookup, bent),

@@ -84,6 +84,12 @@ impl ProvenCause {
         SUMS.contains(&self.repair.should.as_str())
     }
 
+    /// Whether it only reads a variable, or a member of one.
+    #[must_use]
+    pub fn is_read(&self) -> bool {
+        is_name(&self.text)
+    }
+
     /// Whether it is a position or a direction that is computed from right values.
     #[must_use]
     pub fn is_first_vector(&self) -> bool {
@@ -93,7 +99,7 @@ impl ProvenCause {
     /// Whether it computes a right term, of which another one is needed.
     #[must_use]
     pub fn is_right_term(&self) -> bool {
-        self.is_given && !is_name(&self.text) && self.repair.relation != Relation::Length
+        self.is_given && !is_name(&self.text) && !has_space(&self.repair.should)
     }
 
     /// Whether it is the same value, written again.
@@ -129,7 +135,7 @@ fn is_term_for_sum(at: &Observer<'_>, seen: &Observed, repair: &Repair) -> bool 
         };
         at.model.quantities.iter().filter(of_term).any(|term| seen.values.factor_of(&coloured(term)).is_some())
     };
-    let is_term = seen.is.map_or_else(is_coloured, |is| TERMS.contains(&name(is)));
+    let is_term = seen.is.is_some_and(|is| TERMS.contains(&name(is))) || is_coloured();
     let named = at.runner.program.named(seen.stage, seen.expr);
     is_term && repair.quantity().is_some_and(is_sum) && !(named.is_some_and(is_of_no_term) && at.reads_a_term(seen))
 }
@@ -237,6 +243,19 @@ impl Observer<'_> {
             let in_vertex = proven.iter().filter(|other| observed[other.of].stage == Stage::Vertex);
             is_name(self.text(seen)) && in_vertex.filter_map(of).any(|q| q.name == varying.name)
         };
+        // Whether an argument is the same value, and as wrong.
+        let is_passed = |seen: &Observed| {
+            let Some(of) = function(seen) else { return false };
+            let is_call = |call: &&Observed| {
+                call.stage == seen.stage
+                    && self.text(call).strip_prefix(of).is_some_and(|text| text.trim_start().starts_with('('))
+            };
+            observed.iter().filter(is_call).any(|call| {
+                proven.iter().map(|repair| &observed[repair.of]).any(|other| {
+                    self.is_within(other, call) && is_name(self.text(other)) && other.values.is_same(&seen.values)
+                })
+            })
+        };
         // A wrong name is wrong where its value is computed; a right value of another kind where it is used.
         let is_elsewhere = |seen: &Observed, repair: &Repair| {
             if is_of_vertex(seen, repair) {
@@ -259,6 +278,10 @@ impl Observer<'_> {
                 let is_position = self.model.quantities[q].name == "gl_Position";
                 is_vector || is_position || seen.values.is_clamped(right) || right.is_power_of(&seen.values)
             });
+            // A value of the right kind is passed to a function where the function is called.
+            if is_name && is_of_kind && is_passed(seen) {
+                return true;
+            }
             let is_use = seen.is_given() && !is_of_kind && !of_constant;
             if is_use && is_copied(seen) {
                 return false;
@@ -352,11 +375,11 @@ impl Observer<'_> {
             .map(|cause| (cause.stage, cause.span))
             .collect();
         // A right value that is computed from a wrong one, which makes it another quantity.
-        let earlier: Vec<(Stage, ExprId)> = (all.iter())
+        let earlier: Vec<(Stage, ExprId, Span, Option<&str>)> = (all.iter())
             .filter(|cause| {
                 !cause.is_given && cause.is_explained && cause.depth == 1 && cause.relation < Relation::Clamp
             })
-            .map(|cause| (cause.stage, cause.expr))
+            .map(|cause| (cause.stage, cause.expr, cause.span, function(&observed[cause.repair.of])))
             .collect();
         // A factor is missing where the other terms get it.
         let with_factor: Vec<(Stage, usize)> = (all.iter())
@@ -391,16 +414,21 @@ impl Observer<'_> {
             // A part of an expression that is the mistake itself, or a number within a formula.
             let is_number = cause.text.starts_with(|c: char| c.is_ascii_digit() || c == '.');
             let is_part = cause.distance > 0 && wrong.iter().any(is_within)
-                || (cause.distance > 0 || cause.is_given) && is_factor_of_later(cause)
+                || is_factor_of_later(cause)
                 || is_number && !self.runner.program.is_set_in_vector_or_alone(cause.stage, cause.expr);
-            let is_after = earlier.iter().any(|wrong| *wrong < (cause.stage, cause.expr));
+            let of = function(&observed[cause.repair.of]);
+            let is_after = earlier.iter().any(|(at, expr, span, function)| {
+                (*at, function) == (cause.stage, &of) && *expr < cause.expr && !is_within(&(*at, *span))
+            });
             let is_of_length =
                 cause.relation == Relation::Length && self.runner.program.is_whole_value(cause.stage, cause.expr);
             // A product with 1 has the value of an input, and is none.
             let is_product = observed[cause.repair.of].values.is_constant() && !is_name(&cause.text) && !is_number;
             let right = cause.repair.quantity().map(|q| &self.model.quantities[q]);
             let is_exchanged = cause.relation == Relation::Other && self.is_exchange(&observed[cause.repair.of], right);
+            let lacks_colour = cause.relation == Relation::Factor && self.is_set_to_term(&observed[cause.repair.of]);
             let is_use = !is_of_length
+                && !lacks_colour
                 && !is_product
                 && !is_exchanged
                 && !is_copied(&observed[cause.repair.of])

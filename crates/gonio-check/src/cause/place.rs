@@ -159,6 +159,7 @@ pub(super) fn places(
                     of.stage == seen.stage
                         && (of.values.is_same(&seen.values) || of.values.is_scaled(&seen.values, -1.0))
                 });
+            let seen = if is_given { last_copy(program, &observed, seen).unwrap_or(seen) } else { seen };
             found.push(MistakePlace { is_sum, is_given, ..place_at(program, mistake, seen, is_direct) });
         }
     }
@@ -264,6 +265,15 @@ fn first_with<'a>(program: &Program, observed: &'a [Recorded], name: &str, of: &
         is_name(program.text(seen.stage, seen.expr)) && !program.is_whole_value(seen.stage, seen.expr)
     };
     same.min_by_key(|seen| (is_read(seen), seen.order)).or_else(last)
+}
+
+/// The last variable that is set to another one with these values.
+fn last_copy<'a>(program: &Program, observed: &'a [Recorded], of: &Recorded) -> Option<&'a Recorded> {
+    let is_copy = |seen: &&Recorded| {
+        is_name(program.text(seen.stage, seen.expr)) && program.is_whole_value(seen.stage, seen.expr)
+    };
+    let is_same = |seen: &&Recorded| seen.stage == of.stage && seen.values.is_same(&of.values);
+    observed.iter().filter(is_copy).filter(is_same).max_by_key(|seen| seen.order)
 }
 
 /// The first expression that computes a constant, or the first number that a variable is set to. Many variables are 0 at first:

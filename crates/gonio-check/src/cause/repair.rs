@@ -162,7 +162,9 @@ impl Observer<'_> {
                 }
                 // A right quantity may be used where another one belongs, and an input where another input does.
                 let is_exchanged = relation == Relation::Other && self.is_exchange(seen, quantity);
-                if is_right && relation > Relation::Length && !is_exchanged || is_bold && relation != Relation::Known {
+                let lacks_colour = self.is_set_to_term(seen) && !is_of_number && matches!(make, Make::Times(_));
+                let is_enough = is_right && !is_exchanged && !lacks_colour;
+                if is_enough && relation > Relation::Length || is_bold && relation != Relation::Known {
                     return;
                 }
                 let is_whole = quantity.is_some_and(|q| SUMS.contains(&q.name.as_str()));
@@ -251,6 +253,14 @@ impl Observer<'_> {
         }
         all.sort_by(|a, b| a.cost.total_cmp(&b.cost));
         all
+    }
+
+    /// Whether a variable is set to a right term in a colour, which may lack that of the object.
+    pub(super) fn is_set_to_term(&self, seen: &Observed) -> bool {
+        let is_term = |is: usize| TERMS.contains(&self.model.quantities[is].name.as_str());
+        seen.values.size == 3
+            && seen.is.is_some_and(is_term)
+            && self.runner.program.is_whole_value(seen.stage, seen.expr)
     }
 
     /// Whether an input stands where another one of its kind belongs.

@@ -251,11 +251,13 @@ impl<'a> Search<'a> {
         let end = (self.runs + most).min(end);
         let mut proven = self.proven(base, observed, &known, end);
         // Earlier expressions, from the inputs on. A variable may be set to a right vector where a unit one belongs.
+        let at = self.at;
         let depth = |repair: &Repair| {
             let seen = &observed[repair.of];
-            let is_set = || self.at.runner.program.is_whole_value(seen.stage, seen.expr);
+            let is_set = || at.runner.program.is_whole_value(seen.stage, seen.expr);
             let is_misused = match repair.relation {
                 Relation::Length => is_set(),
+                Relation::Factor => at.is_set_to_term(seen),
                 // The wrong input or number.
                 Relation::Other => true,
                 _ => false,

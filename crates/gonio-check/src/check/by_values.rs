@@ -328,14 +328,15 @@ impl Judging<'_> {
             return found;
         }
         let is_long = self.values.task.model.has_roughness();
-        // A vector that lacks its length lacks it where it is set.
-        let lacks_length = |cause: &ProvenCause| cause.relation == Relation::Length && cause.is_given;
+        // A vector that lacks its length, and a right term that lacks a factor, lack them where they are set.
+        let lacks_where_set =
+            |cause: &ProvenCause| matches!(cause.relation, Relation::Length | Relation::Factor) && cause.is_given;
         // In a long formula, and beside another mistake, the proof is often a value that is computed from the mistake's own
         // wrong value, or the only use of a variable that is set to it. Where the sum is wrong, it may be one of its terms.
         let is_of_place = |cause: &ProvenCause, place: &MistakePlace| match first.mistakes.len() {
-            _ if lacks_length(cause) => false,
+            _ if lacks_where_set(cause) => false,
             0 | 1 => {
-                let is_nearer = !place.is_given || cause.is_of_sum();
+                let is_nearer = !place.is_given || cause.is_of_sum() || cause.is_read();
                 (is_long || place.is_sum || place.is_computed && is_nearer) && cause.distance > 0
             }
             _ => {
@@ -397,7 +398,7 @@ impl Judging<'_> {
                     Some(of_place(place))
                 }
                 (Some(cause), _) => Some(of_cause(cause)),
-                (None, Some(place)) if !place.is_given => Some(of_place(place)),
+                (None, Some(place)) if !place.is_given || place.is_copy => Some(of_place(place)),
                 (None, place) => only().map(of_cause).or(place.map(of_place)),
             };
             found.push(match at {
