@@ -222,12 +222,19 @@ impl Observer<'_> {
                 inside().filter(|inner| !right.iter().any(|outer| is_inside(*inner, *outer))).collect()
             })
             .collect();
+        // A matrix, or a vector with a fourth component, is a step on the way to a quantity.
+        let is_step: Vec<bool> = (observed.iter().zip(&reads))
+            .map(|(seen, reads)| ![1, 3].contains(&seen.values.size) && reads.is_none())
+            .collect();
         for _ in 0..DEEPEST {
             let mut is_changed = false;
             for at in (0..observed.len()).filter(|at| !is_given[*at]) {
                 let depth = match reads[at] {
                     Some(of) => observed[of].depth + 1,
-                    None => 1 + parts[at].iter().map(|part| observed[*part].depth).max().unwrap_or(0),
+                    None => {
+                        let whole = parts[at].iter().filter(|part| !is_step[**part]);
+                        1 + whole.map(|part| observed[*part].depth).max().unwrap_or(0)
+                    }
                 };
                 let depth = depth.min(DEEPEST);
                 is_changed |= observed[at].depth != depth;

@@ -61,6 +61,8 @@ pub(crate) struct Predictor {
     pub lights: Lights,
     /// Whether the ambient light may have a colour of its own.
     pub has_own_ambient: bool,
+    /// Whether the program's text has the strength of the ambient light, if there is one.
+    pub is_ambient_written: bool,
     open: Vec<usize>,
     scenes: Vec<SceneModel>,
 }
@@ -145,7 +147,9 @@ impl Predictor {
             SceneModel { samples, lit, in_world, positions: Mutex::default() }
         });
         let scenes = scenes.collect();
-        Predictor { all, lights, has_own_ambient: parameterisation.own_ambient, open, scenes }
+        let has_own_ambient = parameterisation.own_ambient;
+        let is_ambient_written = !parameterisation.given[0] && !has_own_ambient;
+        Predictor { all, lights, has_own_ambient, is_ambient_written, open, scenes }
     }
 
     /// The terms whose strengths are fitted: ambient 0, diffuse 1, specular 2.

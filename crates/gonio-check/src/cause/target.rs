@@ -21,6 +21,8 @@ const MOST_DIFFERENT: f32 = 0.008;
 const MOST_DIFFERENT_AT_FEW: f32 = 0.07;
 /// Scenes that are compared before all are.
 const FIRST_SCENES: usize = 3;
+/// Brightness of ambient light with which all is white, whatever the other terms.
+const WHITE: f64 = 0.999;
 /// Brightness with which a picture is black, whatever the strengths.
 const DARKEST: f32 = 1e-3;
 /// A term with a smaller strength is missing.
@@ -161,7 +163,9 @@ impl RightPicture {
                 return None;
             }
             let fit = Fit::new(&colours, sum, &self.scenes(variant, count));
-            fit.is_right(self.required)
+            // A strength of the testbench may be too large for some materials.
+            let is_overexposed = fit.is_white && self.predictor.is_ambient_written;
+            (!is_overexposed && fit.is_right(self.required))
                 .then(|| Agreement { highlight: self.is_lit.then_some(variant.highlight), strengths: fit.strengths })
         })
     }
@@ -194,6 +198,8 @@ pub(super) struct Fit {
     pub strengths: [Option<[f64; 3]>; 3],
     /// The common factor, if only that is open, is negative or 0.
     is_dark: bool,
+    /// Whether ambient light alone makes everything white.
+    pub is_white: bool,
     /// The share of places whose colour differs.
     pub share: f32,
 }
@@ -242,7 +248,7 @@ impl Fit {
     /// Fits predictions of the first scenes, `count` places together.
     pub fn new(seen: &SeenColours, count: usize, scenes: &[&Predicted]) -> Self {
         let mut wrong = vec![false; count];
-        let mut found = Fit { strengths: [None; 3], is_dark: false, share: 1.0 };
+        let mut found = Fit { strengths: [None; 3], is_dark: false, is_white: true, share: 1.0 };
         let Some(first) = scenes.first() else { return found };
         // With open strengths, a dark picture is as good as a bright one; a black one has no light.
         let scale = match first.open.is_empty() {
@@ -262,6 +268,11 @@ impl Fit {
                 true => Vec::new(),
                 false => weighted_strengths(|place| weights[place], seen, &known, &beyond),
             };
+            let ambient = first.open.iter().position(|(term, _)| *term == Some(0));
+            found.is_white &= ambient.is_some_and(|at| {
+                let mut bright = beyond[at].iter().filter(|x| x.is_finite()).map(|x| fitted[at] * f64::from(*x));
+                bright.all(|bright| bright >= WHITE)
+            });
             for ((term, _), strength) in first.open.iter().zip(&fitted) {
                 match term {
                     Some(term) => {
