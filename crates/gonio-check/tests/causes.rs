@@ -6,8 +6,8 @@
 
 mod submissions;
 
-use gonio_check::cause::naming::ProvenCause;
-use gonio_check::cause::search::Found;
+use gonio_check::cause::found::Found;
+use gonio_check::cause::proven_cause::ProvenCause;
 use gonio_check::cause::{Diagnosis, NotJudged, diagnose};
 use gonio_check::comparison::Task;
 use gonio_check::compile::ParsedStage;

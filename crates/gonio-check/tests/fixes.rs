@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used)]
 
 use gonio_check::cause::edit::edited;
-use gonio_check::cause::search::Found;
+use gonio_check::cause::found::Found;
 use gonio_check::cause::{Diagnosis, NotJudged, diagnose};
 use gonio_check::comparison::Task;
 use gonio_check::compile::ParsedStage;

@@ -4,8 +4,8 @@ use super::budget::Budget;
 use super::diagnosing::Diagnosing;
 use super::explain::Singly;
 use super::few_places::{is_black, is_flat};
+use super::found::Found;
 use super::methods::methods;
-use super::search::Found;
 use super::target::Agreement;
 use super::{Diagnosis, DiagnosisDepth};
 

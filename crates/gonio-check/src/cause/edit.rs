@@ -2,13 +2,13 @@
 
 use super::formula::{Definitions, Formula, Style, Writer};
 use super::model::{Model, STAGES};
-use super::naming::ProvenCause;
 use super::observed::{Observed, Observer};
 use super::program::{Change, Program, Runner};
+use super::proven_cause::ProvenCause;
 use super::repair::{Make, Relation, Repair};
 use super::samples::interpolated;
 use super::scope::{Level, Readable, Scopes, expression_at, level_of};
-use super::search::see;
+use super::seeing::see;
 use super::target::Seen;
 use super::values::Values;
 use crate::roles::NamesFile;

@@ -2,7 +2,7 @@
 
 use super::program::{Change, Runner};
 use super::repair::Repair;
-use super::search::see;
+use super::seeing::see;
 use super::target::{RightPicture, Seen};
 use gonio_glsl::Stage;
 use gonio_threads::prelude::*;

@@ -3,7 +3,7 @@
 //! The interpreter computes every expression of a student's program at points on the surfaces of the test scenes
 //! (`samples`, `program`). The light equation gives the right values of all quantities there, and the catalogue
 //! those of known mistakes (`model`). A cause is proven by a counterfactual: with the right value instead of one
-//! expression's own, the whole picture becomes right (`target`, [`search`]).
+//! expression's own, the whole picture becomes right (`target`, `search`).
 
 mod answer;
 mod assign;
@@ -18,26 +18,31 @@ pub mod explanation;
 mod few_places;
 mod form;
 pub(crate) mod formula;
+pub mod found;
 mod influence;
 mod line_by_line;
 mod methods;
 pub(crate) mod model;
-pub mod naming;
+mod naming;
 pub(crate) mod observed;
 pub mod place;
 mod prediction;
 mod products;
 pub(crate) mod program;
+pub mod proven_cause;
 pub mod quantity_of;
+mod ranking;
 mod recording;
 pub(crate) mod repair;
 pub mod right_change;
 pub(crate) mod samples;
 pub(crate) mod scope;
-pub mod search;
+mod search;
+mod seeing;
 mod shown;
 pub(crate) mod solutions;
 mod steps;
+mod symptoms;
 pub(crate) mod target;
 mod unused;
 pub(crate) mod values;
@@ -58,13 +63,13 @@ use edit::TextFix;
 use explain::MOST_PAIRS;
 pub(crate) use explanation::is_absent;
 use explanation::{Explanation, Strengths};
+use found::Found;
 use gonio_glsl::{Checked, Parsed, Span, Stage};
 use methods::{Hints, methods};
 use model::{Mistakes, Model};
 use place::MistakePlace;
 use program::{Program, Runner};
 pub use samples::SceneSamples;
-use search::Found;
 pub use solutions::ModelSolutions;
 use std::cell::RefCell;
 use std::sync::Arc;

@@ -4,13 +4,13 @@
 //! An expression is what its values are in the test scenes. What a wrong one should be follows from the cause: with the
 //! cause's right values, the values that depend on it become right too.
 
+use super::found::Found;
 use super::model::{AnswerMethod, Mistakes, Model, Space, TELLING};
-use super::naming::ProvenCause;
 use super::observed::{Observed, Observer};
 use super::program::{Change, Program, Runner};
+use super::proven_cause::ProvenCause;
 use super::right_change::{QuantityName, RightChange, values_of};
 use super::samples::{SceneSamples, interpolated};
-use super::search::Found;
 use super::values::Values;
 use super::{DiagnosisDepth, ModelSolutions, diagnose, words};
 use crate::comparison::{Parameterisation, Task};

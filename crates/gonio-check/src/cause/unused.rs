@@ -7,7 +7,7 @@ use super::observed::{DIFFUSE_NAMES, SPECULAR_NAMES};
 use super::program::{Change, Program, Runner};
 use super::recording::Recorded;
 use super::samples::SceneSamples;
-use super::search::see;
+use super::seeing::see;
 
 /// Places in the first scene at which values are compared.
 const PLACES: usize = 64;

@@ -1,11 +1,10 @@
 //! Corrects a verdict by the values that a program computes: a right program is never wrong, a mistake is named only
 //! where another value repairs every test scene, and an unlisted one gets its line and both quantities in words.
 
+use super::explained::NOT_PUT_OUT;
 use crate::cause::edit::TextFix;
-use crate::cause::naming::ProvenCause;
-use crate::cause::place::MistakePlace;
-use crate::cause::repair::Relation;
-use crate::cause::search::Found;
+use crate::cause::found::Found;
+use crate::cause::proven_cause::ProvenCause;
 use crate::cause::{
     AnswerMethod, Diagnosis, DiagnosisDepth, ModelSolutions, Space, answer_methods, diagnose, is_absent, peculiarities,
 };
@@ -14,7 +13,7 @@ use crate::comparison::{
     endless_verdict, named as mistake_named, peculiarities_of, report_violations,
 };
 use crate::compile::{ParsedStage, compile};
-use crate::mistakes::{Mistake, ModelSolution, TERMS, term_of};
+use crate::mistakes::{Mistake, ModelSolution, TERMS};
 use crate::roles::{Bindings, Bound, Declared, NamesFile, Role, VariableKind};
 use crate::source::{Analysis, SourceConstants};
 use crate::submission::{StageText, Submission};
@@ -28,9 +27,6 @@ use std::sync::Arc;
 
 /// The id of a wrong value that no mistake of the catalogue explains.
 pub const WRONG_VALUE: &str = "wrong-value";
-
-/// The mistake of terms that are computed and not added, which looks like one of them that is missing.
-const NOT_PUT_OUT: &str = "terms-not-put-out";
 
 /// Most lookups of a program that are judged alone; a mirror and glass together have two.
 const MOST_LOOKUPS: usize = 4;
@@ -290,7 +286,7 @@ impl Judging<'_> {
 
     /// Mistakes that do not show in the colours: light computed in the wrong stage, and optional terms that are computed
     /// and not added.
-    fn beside_right_values(&self, diagnosis: &Diagnosis) -> Vec<FoundMistake> {
+    pub(super) fn beside_right_values(&self, diagnosis: &Diagnosis) -> Vec<FoundMistake> {
         let word = self.wrong_stage(diagnosis);
         let [of_light, of_sum] = diagnosis.light_places;
         let at = |found: FoundMistake, place: Option<(Stage, Span)>| match place {
@@ -305,106 +301,6 @@ impl Judging<'_> {
                 let or = vec![NOT_PUT_OUT.to_owned()];
                 at(FoundMistake { or, ..FoundMistake::from_catalogue(mistake, 1.0) }, of_sum)
             }));
-        }
-        found
-    }
-
-    /// The mistakes that explain the picture, at the lines of their causes.
-    fn explained(&self, diagnosis: &Diagnosis, groups: &[Vec<ProvenCause>]) -> Vec<FoundMistake> {
-        let Some(first) = diagnosis.explanations.first() else { return Vec::new() };
-        // A term that a mistake takes away is not missing besides.
-        let is_explained = |missing: &FoundMistake| {
-            let term = term_of(&missing.id);
-            term.is_some() && first.mistakes.iter().any(|mistake| mistake.whole || term_of(&mistake.id) == term)
-        };
-        let mut found = self.beside_right_values(diagnosis);
-        found.retain(|missing| !is_explained(missing));
-        // A term that another vector brings back is not missing.
-        if let ([mistake], [group]) = (first.mistakes.as_slice(), groups)
-            && mistake.id.ends_with("-missing")
-            && let Some(vector) = group.iter().find(|cause| cause.is_first_vector() && cause.mistakes.is_empty())
-        {
-            found.push(unlisted(vector, self.submission));
-            return found;
-        }
-        let is_long = self.values.task.model.has_roughness();
-        // A vector that lacks its length, and a right term that lacks a factor, lack them where they are set.
-        let lacks_where_set =
-            |cause: &ProvenCause| matches!(cause.relation, Relation::Length | Relation::Factor) && cause.is_given;
-        // In a long formula, and beside another mistake, the proof is often a value that is computed from the mistake's own
-        // wrong value, or the only use of a variable that is set to it. Where the sum is wrong, it may be one of its terms.
-        let is_of_place = |cause: &ProvenCause, place: &MistakePlace| match first.mistakes.len() {
-            _ if lacks_where_set(cause) => false,
-            0 | 1 => {
-                let is_nearer = !place.is_given || cause.is_of_sum() || cause.is_read();
-                (is_long || place.is_sum || place.is_computed && is_nearer) && cause.distance > 0
-            }
-            _ => {
-                let is_same_stage = cause.stage == place.stage;
-                // A variable or a varying is wrong where it is set.
-                let is_read = is_same_stage && cause.is_only_read
-                    || place.is_copy && cause.is_given && (is_same_stage || place.stage == Stage::Vertex);
-                // A sum lacks a factor of a right term.
-                let is_sum_of_right = cause.distance == 1 && place.is_given;
-                place.is_computed && (cause.distance > 0 && !is_sum_of_right || is_read)
-            }
-        };
-        let mut causes: Vec<&ProvenCause> = groups.iter().filter_map(|group| group.first()).collect();
-        for at in 0..first.mistakes.len() {
-            // The alternative that the program itself shows, if it shows one.
-            let alternatives: Vec<&'static Mistake> =
-                diagnosis.explanations.iter().filter_map(|explanation| explanation.mistakes.get(at).copied()).collect();
-            let is_one = |mistake: &Mistake| alternatives.iter().any(|other| other.id == mistake.id);
-            let cause = causes.iter().position(|cause| cause.mistakes.iter().take(1 + cause.equals).any(|m| is_one(m)));
-            let cause = cause.map(|at| causes.remove(at));
-            // A single cause is proven, whatever it is called.
-            let only = || causes.first().copied().filter(|_| first.mistakes.len() == 1 && causes.len() == 1);
-            // Pictures do not tell some mistakes apart, but the wrong values may.
-            let place_of = |mistake: &Mistake| {
-                let mut places = diagnosis.places.iter().filter(|place| place.mistake.id == mistake.id);
-                match is_long {
-                    true => places.max_by_key(|place| (place.is_direct, std::cmp::Reverse(place.span.start))),
-                    false => places.next(),
-                }
-            };
-            let rank = |mistake: &&Mistake| {
-                let has_value = place_of(mistake).is_some_and(|place| place.is_direct);
-                (mistake.id == NOT_PUT_OUT, !has_value)
-            };
-            let by_values = |mut all: Vec<&'static Mistake>| {
-                all.sort_by_key(rank);
-                all
-            };
-            let of_cause = cause.iter().flat_map(|cause| cause.mistakes.iter().take(1 + cause.equals).copied());
-            let mut shown = by_values(of_cause.filter(|mistake| is_one(mistake)).collect());
-            shown.extend(by_values(alternatives.clone()));
-            let Some((mistake, others)) = shown.split_first() else { continue };
-            let mut or: Vec<String> = Vec::new();
-            for other in others.iter().filter(|other| other.id != mistake.id) {
-                if !or.contains(&other.id) {
-                    or.push(other.id.clone());
-                }
-            }
-            let new =
-                FoundMistake { or, lab_does_it: mistake.lab_does_it, ..FoundMistake::from_catalogue(mistake, 1.0) };
-            let of_cause = |cause: &ProvenCause| (cause.stage, cause.span);
-            let of_place = |place: &MistakePlace| (place.stage, place.span);
-            let at = match (cause, place_of(mistake)) {
-                (Some(cause), Some(place)) if place.is_direct && is_of_place(cause, place) => Some(of_place(place)),
-                // A right term is used wrongly where the sum is.
-                (Some(cause), Some(place))
-                    if first.mistakes.len() == 1 && cause.is_right_term() && !place.is_direct =>
-                {
-                    Some(of_place(place))
-                }
-                (Some(cause), _) => Some(of_cause(cause)),
-                (None, Some(place)) if !place.is_given || place.is_copy => Some(of_place(place)),
-                (None, place) => only().map(of_cause).or(place.map(of_place)),
-            };
-            found.push(match at {
-                Some(at) => placed(new, at, self.submission),
-                None => new,
-            });
         }
         found
     }
@@ -477,7 +373,7 @@ fn proven(groups: &[Vec<ProvenCause>], submission: &Submission) -> Vec<FoundMist
     found
 }
 
-fn unlisted(cause: &ProvenCause, submission: &Submission) -> FoundMistake {
+pub(super) fn unlisted(cause: &ProvenCause, submission: &Submission) -> FoundMistake {
     let found = FoundMistake::new(
         WRONG_VALUE,
         tr!("check-wrong-value", text = one_line(&cause.text), should = cause.should),
@@ -502,11 +398,7 @@ fn named(cause: &ProvenCause, submission: &Submission) -> Option<Vec<FoundMistak
 }
 
 /// The mistake with its file, line and the text of the line.
-pub(in crate::check) fn placed(
-    found: FoundMistake,
-    (stage, span): (Stage, Span),
-    submission: &Submission,
-) -> FoundMistake {
+pub(super) fn placed(found: FoundMistake, (stage, span): (Stage, Span), submission: &Submission) -> FoundMistake {
     let text: &StageText = if stage == Stage::Vertex { &submission.vertex } else { &submission.fragment };
     let (file, line, _) = text.place(span.line, span.column);
     found.at(file, Some(line), text.line(span.line).unwrap_or_default())

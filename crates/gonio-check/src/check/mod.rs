@@ -3,6 +3,7 @@
 mod by_reference;
 mod by_values;
 mod corrections;
+mod explained;
 mod proposed;
 
 pub use by_values::WRONG_VALUE;

@@ -6,7 +6,7 @@
 use super::probe::{Influence, Input, Probe, differ, is_exponent, powers, spread};
 use crate::cause::program::{Program, Runner};
 use crate::cause::samples::SceneSamples;
-use crate::cause::search::see;
+use crate::cause::seeing::see;
 use crate::roles::{Bound, Declared, Fixed, How, Role, VariableKind};
 use glam::Vec3;
 

@@ -3,7 +3,7 @@
 use crate::cause::program::{Program, Runner};
 use crate::cause::recording::{STAGES, observe};
 use crate::cause::samples::SceneSamples;
-use crate::cause::search::see;
+use crate::cause::seeing::see;
 use crate::roles::{Declared, Fixed};
 use glam::Vec3;
 use gonio_glsl::Stage;
