@@ -138,7 +138,7 @@ impl Checker<'_> {
         let ty = ty?;
         if result != ty && !result.becomes(&ty) {
             let message =
-                format!("`{}=` gives a `{result}`, but `{}` is a `{ty}`", op.mark(), self.parsed.text(target.span));
+                format!("`{}=` gives `{result}`, but `{}` is of type `{ty}`", op.mark(), self.parsed.text(target.span));
             self.error(span, "wrong-type", message);
         }
         Some(ty)
@@ -373,7 +373,7 @@ fn cure(from: &Type, to: &Type) -> Option<String> {
             Some("write `vec4(.., 1.0)` to add a fourth component".into())
         }
         (Type::Scalar(_), Type::Vector(Scalar::Float, _)) => {
-            Some(format!("if one number is meant, declare a `{from}`; `{to}(..)` puts it into every component"))
+            Some(format!("if one number is meant, declare it as `{from}`; `{to}(..)` puts it into every component"))
         }
         (Type::Vector(Scalar::Float, _), Type::Scalar(Scalar::Float)) => {
             Some("use one component such as `.x`, or `dot` or `length`; or declare a vector".into())

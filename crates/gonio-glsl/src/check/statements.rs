@@ -152,7 +152,7 @@ impl Checker<'_> {
                 self.convert(value, returns, "the returned value");
             }
             (None, Some(returns)) if *returns != Type::Void => {
-                self.error(span, "return-type", format!("this function must return a `{returns}`"));
+                self.error(span, "return-type", format!("this function must return `{returns}`"));
             }
             (None, _) => {}
         }
