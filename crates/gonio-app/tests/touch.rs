@@ -10,7 +10,8 @@ use gonio_app::exported::{self, WidgetRole};
 use std::collections::BTreeMap;
 use support::Window;
 
-const PHONE: Vec2 = vec2(390.0, 844.0);
+const UPRIGHT: Vec2 = vec2(390.0, 844.0);
+const SIDEWAYS: Vec2 = vec2(844.0, 390.0);
 /// WCAG 2.2 requires 24 CSS pixels (2.5.8) and recommends 44 (2.5.5); issue 22 sets 40.
 const LEAST: f32 = 40.0;
 
@@ -29,14 +30,14 @@ fn is_excepted(id: &str, role: WidgetRole) -> bool {
 }
 
 /// Controls that are too small now, by id, with their sizes.
-fn small(window: &Window, found: &mut BTreeMap<String, [f32; 2]>) -> usize {
+fn small(window: &Window, size: Vec2, found: &mut BTreeMap<String, [f32; 2]>) -> usize {
     let widgets = exported::widgets(&window.harness.ctx);
     let controls = widgets.iter().filter(|widget| !is_excepted(&widget.id, widget.role));
     let mut count = 0;
     for widget in controls {
         count += 1;
         let [left, _, width, height] = widget.rect;
-        assert!(left >= 0.0 && left + width <= PHONE.x + 0.5, "{} is cut off: {:?}", widget.id, widget.rect);
+        assert!(left >= 0.0 && left + width <= size.x + 0.5, "{} is cut off: {:?}", widget.id, widget.rect);
         // Layout is in f32.
         if width.min(height) < LEAST - 0.01 {
             found.insert(widget.id.clone(), [width, height]);
@@ -47,31 +48,43 @@ fn small(window: &Window, found: &mut BTreeMap<String, [f32; 2]>) -> usize {
 
 #[test]
 fn controls_are_as_large_as_a_finger_on_a_phone() {
-    let mut window = Window::with("builtin:still-life", PHONE);
+    check_sizes(UPRIGHT);
+}
+
+#[test]
+fn a_phone_held_sideways_has_large_controls_and_shows_the_picture() {
+    let window = check_sizes(SIDEWAYS);
+    let [_, _, width, height] = window.widget("pane-0").rect;
+    assert!(width > 0.5 * SIDEWAYS.x && height > 0.55 * SIDEWAYS.y, "{width} x {height}");
+}
+
+fn check_sizes(size: Vec2) -> Window {
+    let mut window = Window::with("builtin:still-life", size);
     window.until("the scene", |state| state["loaded"] == true);
     let mut found = BTreeMap::new();
     let mut counts = Vec::new();
     for tab in ["lights", "objects", "camera", "picture", "probe", "compare", "frame", "file"] {
         window.click(&format!("tab-{tab}"));
         window.steps(2);
-        counts.push((tab, small(&window, &mut found)));
+        counts.push((tab, small(&window, size, &mut found)));
         if matches!(tab, "lights" | "objects") {
             let row = if tab == "lights" { "light-0" } else { "object-0" };
             let opened = exported::widgets(&window.harness.ctx).iter().any(|widget| widget.id == row);
             assert!(opened, "{:?}", exported::widgets(&window.harness.ctx).iter().map(|w| &w.id).collect::<Vec<_>>());
             window.click(row);
             window.steps(2);
-            counts.push((row, small(&window, &mut found)));
+            counts.push((row, small(&window, size, &mut found)));
         }
     }
     for menu in ["menu", "language", "view-chooser"] {
         window.click(menu);
         window.steps(2);
-        counts.push((menu, small(&window, &mut found)));
+        counts.push((menu, small(&window, size, &mut found)));
         window.press(egui::Modifiers::NONE, egui::Key::Escape);
     }
     assert!(counts.iter().all(|(_, count)| *count > 20), "{counts:?}");
     assert!(found.is_empty(), "{} controls are too small: {found:#?}", found.len());
+    window
 }
 
 #[test]
@@ -84,7 +97,7 @@ fn a_desktop_window_keeps_its_sizes() {
 /// The camera of this scene shows its three spheres in a wide picture.
 #[test]
 fn a_sample_is_whole_in_an_upright_window() {
-    let mut window = Window::with("builtin:three-spheres", PHONE);
+    let mut window = Window::with("builtin:three-spheres", UPRIGHT);
     let state = window.until("the scene", |state| state["loaded"] == true && state["frame"]["complete"] == true);
     let distance = state["scene"]["camera"]["position"][2].as_f64().unwrap();
     assert!(distance > 12.0, "{distance}: the file has 9");

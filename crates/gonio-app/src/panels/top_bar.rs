@@ -28,7 +28,7 @@ const ENVIRONMENT: &str = "window-the-environment-as-six-faces";
 const EXERCISES: &str = "window-shader-exercises-edit-compare-with-the";
 
 pub fn show(ui: &mut Ui, document: &Document, session: &Session, history: &History, actions: &mut Vec<Action>) {
-    let narrow = ui.available_width() < NARROW;
+    let narrow = ui.available_width() < NARROW || theme::touch::least(ui) > 0.0;
     ui.horizontal(|ui| {
         if theme::touch::least(ui) > 0.0 {
             ui.spacing_mut().item_spacing.x = 0.0;

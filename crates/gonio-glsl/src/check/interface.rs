@@ -297,7 +297,8 @@ fn compare(problems: &mut Vec<Problem>, output: &Variable, input: &Variable) {
     if let (Some(a), Some(b)) = (&output.ty, &input.ty)
         && a != b
     {
-        let message = format!("`{name}` is of type `{b}` here and of type `{a}` in the vertex shader, line {}", output.span.line);
+        let message =
+            format!("`{name}` is of type `{b}` here and of type `{a}` in the vertex shader, line {}", output.span.line);
         problems.push(Problem::error(input.span, "other-type", message));
         return;
     }
@@ -340,7 +341,8 @@ fn uniforms(problems: &mut Vec<Problem>, vertex: &Checked, fragment: &Checked) {
             && a != b
         {
             let (a, b) = (written(Some(a)), written(Some(b)));
-            let message = format!("the uniform `{}` is of type `{b}` here and of type `{a}` in the vertex shader", uniform.name);
+            let message =
+                format!("the uniform `{}` is of type `{b}` here and of type `{a}` in the vertex shader", uniform.name);
             problems.push(Problem::error(uniform.span, "other-type", message));
         }
     }

@@ -46,8 +46,10 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, actions
         ui.allocate_exact_size(vec2(ui.available_width(), 92.0), Sense::hover());
         return;
     }
-    let narrow = ui.available_width() < NARROW;
-    let wide = ui.available_width() >= WIDE;
+    // A phone held sideways has width to spare, and no height.
+    let low = theme::touch::is_low(ui.ctx());
+    let narrow = low || ui.available_width() < NARROW;
+    let wide = low || ui.available_width() >= WIDE;
     let buttons_width = BUTTONS + 2.0 * (theme::touch::least(ui) - widgets::SIDE).max(0.0);
     let shown = effective(document);
     ui.horizontal_top(|ui| {

@@ -81,6 +81,9 @@ fn traced(ui: &mut Ui, session: &Session, reading: &Reading) {
 
 /// Buttons beside the pixel's position.
 const BUTTONS: f32 = 5.0;
+/// The size of their icons, and the distance between them, points.
+const ICON: f32 = 15.0;
+const BETWEEN: f32 = 2.0;
 
 /// The pixel's position, with buttons to unpin and copy it.
 fn header(ui: &mut Ui, session: &mut Session, reading: Option<&Reading>, actions: &mut Vec<Action>) {
@@ -93,7 +96,8 @@ fn header(ui: &mut Ui, session: &mut Session, reading: Option<&Reading>, actions
             let of = tr!("scene-of-x-2", width = reading.width, height = reading.height);
             let label = WidgetText::from(RichText::new(of.clone()).weak());
             let label = label.into_galley(ui, Some(TextWrapMode::Extend), f32::INFINITY, TextStyle::Body);
-            let buttons = BUTTONS * (theme::touch::least(ui).max(ui.spacing().interact_size.y) + 2.0);
+            let with_icon = ICON + 2.0 * ui.spacing().button_padding.x;
+            let buttons = BUTTONS * (theme::touch::least(ui).max(with_icon) + BETWEEN) + ui.spacing().item_spacing.x;
             // A phone is too narrow for it.
             if label.size().x + buttons <= ui.available_width() {
                 ui.label(label);
@@ -102,7 +106,7 @@ fn header(ui: &mut Ui, session: &mut Session, reading: Option<&Reading>, actions
             }
         }
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            ui.spacing_mut().item_spacing.x = 2.0;
+            ui.spacing_mut().item_spacing.x = BETWEEN;
             let mut wants_unpin = false;
             let probing = &mut session.probing;
             let pinned = probing.pinned.is_some();
@@ -148,7 +152,7 @@ fn header(ui: &mut Ui, session: &mut Session, reading: Option<&Reading>, actions
 }
 
 fn button(ui: &mut Ui, id: &str, icon: &str, tip: &str, enabled: bool) -> Response {
-    let text = RichText::new(icon).font(theme::icon_font(15.0));
+    let text = RichText::new(icon).font(theme::icon_font(ICON));
     let response = ui.add_enabled(enabled, egui::Button::new(text).frame_when_inactive(false));
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, enabled, tip));
     exported::note(ui, &response, id, WidgetRole::Button, tip, "");

@@ -21,6 +21,8 @@ const LENGTH: f64 = 1.0 / 6.0;
 const INSET: Vec2 = vec2(196.0, 172.0);
 /// The smallest share of it that is drawn: letters and arrows still keep apart.
 const LEAST_SCALE: f32 = 0.5;
+/// Size of the letters at its arrows, points.
+const LETTER: f32 = 14.0;
 /// Free space along the left and right sides of a pane, and along the top and bottom, where its own labels are.
 const FREE: Vec2 = vec2(8.0, 44.0);
 /// Distance to the pinned point, whose arrows need room.
@@ -108,7 +110,11 @@ pub fn inset(ui: &Ui, projection: &Projection, lobe: &SurfaceLobe, (pane, name):
     let above = lines(name, 11.5, 1, Align::Min);
     // The surface is seen from slightly above, so that a third of the radius stays free below its centre.
     let bottom = rect.bottom() - below.size().y - 8.0;
-    let radius = (82.0 * scale).min(0.72 * (bottom - rect.top() - above.size().y - 9.0));
+    let free = bottom - rect.top() - above.size().y - 9.0;
+    let beyond = 3.0 + 7.0 * scale;
+    // A small inset has no room beside its name: the letters stay below it.
+    let below_name = if scale < 1.0 { (free - beyond - 0.5 * LETTER) / 1.32 } else { f32::INFINITY };
+    let radius = (82.0 * scale).min(0.72 * free).min(below_name);
     let center = pos2(rect.center().x, bottom - 0.3 * radius);
     let place = |offset: DVec3| -> Placed {
         let (x, y) = (offset.dot(right), offset.dot(n) * RISE.cos() + offset.dot(away) * RISE.sin());
@@ -130,8 +136,8 @@ pub fn inset(ui: &Ui, projection: &Projection, lobe: &SurfaceLobe, (pane, name):
         let color = tint.in_theme(true);
         let tip = place(direction * 1.02).0;
         paint::arrow(&painter, center, tip, 1.6, color);
-        let beyond = tip + (tip - center).normalized() * (3.0 + 7.0 * scale);
-        painter.text(beyond, Align2::CENTER_CENTER, letter, theme::math_italic_font(14.0), color);
+        let place = tip + (tip - center).normalized() * beyond;
+        painter.text(place, Align2::CENTER_CENTER, letter, theme::math_italic_font(LETTER), color);
     }
     let eye = place(lobe.point.view * lobe.eye_share()).0;
     painter.circle(eye, 4.0, colors::VIEW.in_theme(true), Stroke::new(1.5, Color32::WHITE));
