@@ -45,7 +45,11 @@ impl<'r> Environment<'r> {
 
     /// The environment with what builds wheels.
     pub fn for_wheels(root: &'r Path) -> Result<Self, String> {
-        Environment::with(root, &["--constraint", REQUIREMENTS, "maturin"])
+        let path = root.join(REQUIREMENTS);
+        let text = std::fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))?;
+        // pip takes no file with extras, such as `ray[data]`, for versions alone.
+        let maturin = text.lines().find(|line| line.starts_with("maturin=="));
+        Environment::with(root, &[maturin.ok_or_else(|| format!("{}: no version of maturin", path.display()))?])
     }
 
     /// Makes the environment, or brings it up to date.

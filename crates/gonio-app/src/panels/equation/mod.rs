@@ -37,6 +37,8 @@ const BUTTONS: f32 = 56.0;
 /// own under the formula.
 const SOLO: f32 = 236.0;
 const WIDE: f32 = 940.0;
+/// The same in a window of little height.
+const LOW_AND_WIDE: f32 = 640.0;
 /// Below this width the parameters are hidden until the definitions are opened.
 const NARROW: f32 = 780.0;
 
@@ -49,7 +51,7 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, actions
     // A phone held sideways has width to spare, and no height.
     let low = theme::touch::is_low(ui.ctx());
     let narrow = low || ui.available_width() < NARROW;
-    let wide = low || ui.available_width() >= WIDE;
+    let wide = ui.available_width() >= if low { LOW_AND_WIDE } else { WIDE };
     let buttons_width = BUTTONS + 2.0 * (theme::touch::least(ui) - widgets::SIDE).max(0.0);
     let shown = effective(document);
     ui.horizontal_top(|ui| {
