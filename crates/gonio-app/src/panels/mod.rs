@@ -32,6 +32,8 @@ use egui::{Color32, FontId, Frame, Margin, Panel, Rect, ScrollArea, Sense, Ui, V
 /// Below this width (points) the side panel is below the picture: a phone in portrait orientation.
 const NARROW: f32 = 720.0;
 const SIDE_WIDTH: f32 = 352.0;
+/// Its width in a window of little height, whose tabs are as large as fingers.
+const LOW_SIDE_WIDTH: f32 = 392.0;
 /// The share of a phone's height that the atlas has.
 const ATLAS_SHARE: f32 = 0.56;
 /// Least height of the texts of shaders with their values.
@@ -77,7 +79,11 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, history
             atlas(ui, session);
         }
     } else {
-        let panel = Panel::right("side").frame(inside).default_size(SIDE_WIDTH).size_range(280.0..=560.0);
+        let panel = Panel::right("side").frame(inside);
+        let panel = match touch::is_low(ui.ctx()) {
+            true => panel.exact_size(LOW_SIDE_WIDTH),
+            false => panel.default_size(SIDE_WIDTH).size_range(280.0..=560.0),
+        };
         panel.show(ui, |ui| side(ui, document, session, actions));
         if baking::shows_atlas(session) {
             atlas(ui, session);

@@ -25,6 +25,8 @@ const LEAST_SCALE: f32 = 0.5;
 const LETTER: f32 = 14.0;
 /// Free space along the left and right sides of a pane, and along the top and bottom, where its own labels are.
 const FREE: Vec2 = vec2(8.0, 44.0);
+/// Height of the pane's buttons that this leaves room for.
+const FINE: f32 = 24.0;
 /// Distance to the pinned point, whose arrows need room.
 const BESIDE: f32 = 90.0;
 /// Distances above or below it, in panes that have no room beside it: the least, and the one where there is room enough.
@@ -86,7 +88,9 @@ fn surface(
 /// The lobe from the side, in a corner of the pane away from the pinned point.
 pub fn inset(ui: &Ui, projection: &Projection, lobe: &SurfaceLobe, (pane, name): (usize, &str)) {
     let room = projection.rect();
-    let Some(rect) = inset_place(room, projection.to_window(lobe.point.position)) else { return };
+    // The pane's own buttons are larger on a phone.
+    let free = FREE + vec2(0.0, (theme::touch::least(ui) - FINE).max(0.0));
+    let Some(rect) = inset_place(room, free, projection.to_window(lobe.point.position)) else { return };
     let scale = rect.width() / INSET.x;
     let painter = ui.painter_at(room);
     painter.rect_filled(rect, 7.0, Color32::from_black_alpha(190));
@@ -148,19 +152,22 @@ pub fn inset(ui: &Ui, projection: &Projection, lobe: &SurfaceLobe, (pane, name):
     exported::note(ui, &response, &format!("lobe-{pane}"), WidgetRole::Picture, &text, lobe.to_eye);
 }
 
-/// The place of the inset: beside the point, on the side with more room; smaller, and above or below the point, in a narrow pane.
-/// `None` in a pane that is too small.
-fn inset_place(room: Rect, point: Option<Pos2>) -> Option<Rect> {
-    let inner = room.shrink2(FREE);
-    let scale = (inner.width() / INSET.x).min(inner.height() / INSET.y).min(1.0);
+/// The place of the inset: beside the point or above or below it, where it is largest. `None` in a pane that is too small.
+fn inset_place(room: Rect, free: Vec2, point: Option<Pos2>) -> Option<Rect> {
+    let inner = room.shrink2(free);
+    let most = (inner.width() / INSET.x).min(inner.height() / INSET.y).min(1.0);
     // NaN is not large enough either.
-    if scale.is_nan() || scale < LEAST_SCALE {
+    if most.is_nan() || most < LEAST_SCALE {
         return None;
     }
-    let size = INSET * scale;
     let point = point.unwrap_or(room.center());
     let widest_side = (point.x - inner.left()).max(inner.right() - point.x);
-    let low = if widest_side >= size.x + BESIDE {
+    let highest_side = (point.y - inner.top()).max(inner.bottom() - point.y);
+    let beside = most.min((widest_side - BESIDE) / INSET.x);
+    let above = most.min((highest_side - ABOVE[0]) / INSET.y);
+    let is_beside = beside >= above;
+    let size = INSET * beside.max(above).max(LEAST_SCALE);
+    let low = if is_beside {
         let left = if point.x > room.center().x { point.x - size.x - BESIDE } else { point.x + BESIDE };
         pos2(left, point.y - 0.5 * size.y)
     } else {
@@ -192,11 +199,11 @@ mod tests {
         let room = Rect::from_min_size(pos2(10.0, 20.0), vec2(420.0, 500.0));
         for x in [10.0, 200.0, 260.0, 429.0] {
             for y in [20.0, 270.0, 519.0] {
-                let rect = inset_place(room, Some(pos2(x, y)));
+                let rect = inset_place(room, FREE, Some(pos2(x, y)));
                 assert!(rect.is_some_and(|rect| room.contains_rect(rect)), "{x} {y}");
             }
         }
-        let beside = inset_place(room, Some(pos2(200.0, 270.0)));
+        let beside = inset_place(room, FREE, Some(pos2(200.0, 270.0)));
         assert!(beside.is_some_and(|rect| !rect.contains(pos2(200.0, 270.0))));
     }
 
@@ -205,7 +212,7 @@ mod tests {
     fn the_inset_leaves_the_axes_cross_free() {
         let room = Rect::from_min_size(pos2(0.0, 170.0), vec2(390.0, 371.0));
         for x in [40.0, 136.0, 195.0] {
-            let rect = inset_place(room, Some(pos2(x, 318.0))).unwrap_or(Rect::NOTHING);
+            let rect = inset_place(room, FREE, Some(pos2(x, 318.0))).unwrap_or(Rect::NOTHING);
             let cross = Rect::from_min_max(pos2(0.0, 541.0 - axes::extent(room)), pos2(axes::extent(room), 541.0));
             assert!(!rect.intersects(cross) && room.contains_rect(rect), "{x}: {rect} over {cross}");
         }
@@ -223,12 +230,16 @@ mod tests {
             let room = Rect::from_min_size(pos2(5.0, 7.0), size);
             for share in [0.2, 0.5, 0.8] {
                 let point = room.lerp_inside(vec2(0.5, share));
-                let rect = inset_place(room, Some(point)).unwrap_or(Rect::NOTHING);
+                let rect = inset_place(room, FREE, Some(point)).unwrap_or(Rect::NOTHING);
                 assert!((rect.width() - expected).abs() < 0.5 && room.contains_rect(rect), "{size} {share}: {rect}");
                 assert!(size.y < 200.0 || !rect.contains(point), "{size} {share}: {rect} hides {point}");
             }
         }
-        assert_eq!(inset_place(Rect::from_min_size(Pos2::ZERO, vec2(100.0, 500.0)), None), None);
-        assert_eq!(inset_place(Rect::from_min_size(Pos2::ZERO, vec2(500.0, 150.0)), None), None);
+        // A phone held sideways.
+        let room = Rect::from_min_size(pos2(0.0, 107.0), vec2(452.0, 248.0));
+        let rect = inset_place(room, vec2(8.0, 60.0), Some(room.center())).unwrap_or(Rect::NOTHING);
+        assert!(rect.width() > 100.0 && room.contains_rect(rect) && !rect.contains(room.center()), "{rect}");
+        assert_eq!(inset_place(Rect::from_min_size(Pos2::ZERO, vec2(100.0, 500.0)), FREE, None), None);
+        assert_eq!(inset_place(Rect::from_min_size(Pos2::ZERO, vec2(500.0, 150.0)), FREE, None), None);
     }
 }
