@@ -151,6 +151,12 @@ fn assign_uniforms(program: &mut Program, scorer: &Scorer<'_>) {
         bound.declared.kind == VariableKind::Uniform && bound.declared.array <= 1 && !candidates(bound).is_empty()
     };
     let open: Vec<usize> = (0..bound.len()).filter(|index| is_open(&bound[*index])).collect();
+    // The only vector is the light's position more often than a colour, and with it the matrices show more values.
+    let is_vector = |index: &&usize| of_type(&bound[**index].declared.glsl_type).contains(&VECTORS[0]);
+    let is_lit = bound.iter().any(|bound| bound.role == Role::LightPos(0));
+    if let ([only], false) = (open.iter().filter(is_vector).copied().collect::<Vec<_>>().as_slice(), is_lit) {
+        bound[*only].role = Role::LightPos(0);
+    }
     if open.is_empty() && !bound.iter().any(lights::is_open) {
         return;
     }
@@ -188,10 +194,8 @@ fn assign_uniforms(program: &mut Program, scorer: &Scorer<'_>) {
             }
         }
         for index in &others {
-            let mut usual = match is_exponent(program, &bound[*index].declared.name) {
-                true => Role::Shininess,
-                false => program.bindings.bound[*index].role,
-            };
+            let is_exponent = is_exponent(program, &bound[*index].declared.name);
+            let mut usual = if is_exponent { Role::Shininess } else { program.bindings.bound[*index].role };
             program.bindings.bound[*index].role = usual;
             if NUMBERS.contains(&usual) || VECTORS.contains(&usual) {
                 let is_taken = |role: &Role| {
@@ -203,6 +207,10 @@ fn assign_uniforms(program: &mut Program, scorer: &Scorer<'_>) {
                     usual = all.find(|role| !is_taken(role)).unwrap_or(usual);
                     program.bindings.bound[*index].role = usual;
                 }
+            }
+            // Its use tells more than its values, of which the smallest look alike.
+            if is_exponent && usual == Role::Shininess {
+                continue;
             }
             // An input has one meaning.
             let is_same = |a: Role, b: Role| a == b || [a, b].iter().all(|role| LIGHT_POSITIONS.contains(role));
@@ -232,6 +240,10 @@ fn assign_uniforms(program: &mut Program, scorer: &Scorer<'_>) {
         }
         // Beside inputs without a role, a light shows few values.
         lights::choose_space(program, scorer);
+    }
+    // Beside a light without a role, the space of the light shows in no value.
+    if !others.is_empty() && (1..=MOST_MATRICES).contains(&matrices.len()) {
+        choose_matrices(program, scorer, &matrices);
     }
     if (scorer.is_in_place(program), scorer.score(program)) <= before {
         // An exponent is one by its use, even if no value becomes right with it.

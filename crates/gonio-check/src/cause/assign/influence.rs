@@ -100,7 +100,9 @@ pub(in crate::cause) fn by_influence(
     start.bindings.bound.retain(|bound| !is_probed(&all, &bound.declared));
     let powers = powers(&start);
     for at in 0..all.len() {
-        let is_one = is_number(&all[at]) && is_exponent(&start, &samples, &powers, &all, at);
+        // The power may be in a branch that is dark at all places.
+        let is_written = || all[at].members.iter().any(|declared| super::is_exponent(&start, &declared.name));
+        let is_one = is_number(&all[at]) && (is_exponent(&start, &samples, &powers, &all, at) || is_written());
         if is_one {
             (all[at].is_exponent, all[at].base) = (true, vec![8.0]);
         }
