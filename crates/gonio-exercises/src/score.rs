@@ -21,8 +21,8 @@ pub struct MistakeCounts {
     pub visible: usize,
     /// Mistakes that were named, alone or among alternatives with the same picture.
     pub named: usize,
-    /// Submissions that were called wrong, without a mistake being named.
-    pub unnamed: usize,
+    /// Mistakes in submissions that were called wrong without a mistake being named.
+    pub unnamed: Vec<String>,
     /// Mistakes that were given another name: the mistakes made, and those named.
     pub misnamed: Vec<(String, String)>,
     /// Mistakes that are invisible in this exercise, and called right.
@@ -58,7 +58,7 @@ impl MistakeCounts {
         if made.iter().all(is_named) && named.len() == made.len() {
             self.named += 1;
         } else if named.is_empty() {
-            self.unnamed += 1;
+            self.unnamed.push(made.join(" and "));
         } else {
             self.misnamed.push((made.join(" and "), named.join(" and ")));
         }

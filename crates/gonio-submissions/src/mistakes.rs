@@ -268,7 +268,7 @@ pub(crate) const SLIPS: &[Slip] = &[
     listed("gamma-applied", Site::Output, one_light),
     listed("output-normal", Site::Output, one_light),
     listed("output-constant", Site::Output, one_light),
-    unlisted("channels-swapped", Site::Output, whole),
+    unlisted("channels-swapped", Site::Output, |a, p| whole(a, p) && !a.writes.material),
     listed("reflection-by-normal", Site::Mirror, bent),
     listed("reflection-by-position", Site::Mirror, bent),
     listed("reflection-by-view", Site::Mirror, bent),

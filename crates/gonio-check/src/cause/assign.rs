@@ -154,8 +154,12 @@ fn assign_uniforms(program: &mut Program, scorer: &Scorer<'_>) {
     // The only vector is the light's position more often than a colour, and with it the matrices show more values.
     let is_vector = |index: &&usize| of_type(&bound[**index].declared.glsl_type).contains(&VECTORS[0]);
     let is_lit = bound.iter().any(|bound| bound.role == Role::LightPos(0));
-    if let ([only], false) = (open.iter().filter(is_vector).copied().collect::<Vec<_>>().as_slice(), is_lit) {
-        bound[*only].role = Role::LightPos(0);
+    let only = match (open.iter().filter(is_vector).collect::<Vec<_>>().as_slice(), is_lit) {
+        ([only], false) => Some(**only),
+        _ => None,
+    };
+    if let Some(only) = only {
+        bound[only].role = Role::LightPos(0);
     }
     if open.is_empty() && !bound.iter().any(lights::is_open) {
         return;
@@ -246,15 +250,16 @@ fn assign_uniforms(program: &mut Program, scorer: &Scorer<'_>) {
         choose_matrices(program, scorer, &matrices);
     }
     if (scorer.is_in_place(program), scorer.score(program)) <= before {
-        // An exponent is one by its use, even if no value becomes right with it.
+        // An exponent is one by its use, and the only vector is the light, even if no value becomes right with it.
         let is_new = |bound: &Bound| known.iter().all(|other| other.declared != bound.declared);
         let is_shown = |bound: &&Bound| {
             bound.role == Role::Shininess && is_new(bound) && is_exponent(program, &bound.declared.name)
         };
         let has_one = known.iter().any(|bound| bound.role == Role::Shininess);
-        let shown = if has_one { None } else { program.bindings.bound.iter().find(is_shown).cloned() };
+        let exponent = if has_one { None } else { program.bindings.bound.iter().find(is_shown).cloned() };
+        let light = only.map(|only| bound[only].clone()).filter(|light| scorer.is_lit && is_new(light));
         program.bindings.bound = known;
-        program.bindings.bound.extend(shown);
+        program.bindings.bound.extend(exponent.into_iter().chain(light));
     }
     program.declared.adopt(&program.bindings);
     let bound = &program.bindings.bound;

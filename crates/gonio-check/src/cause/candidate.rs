@@ -85,7 +85,10 @@ impl Candidate {
         }
         if self.shown.half_vector() == Some(true) {
             let has_it = |set: &Hypothesis| set.mistakes.iter().any(|mistake| all.mistakes[*mistake].id == HALF_VECTOR);
-            sets.retain(has_it);
+            // Its sum may be there without a half vector: that is a mistake.
+            if sets.iter().any(has_it) {
+                sets.retain(has_it);
+            }
         }
         sets.sort_by_key(|set| set.mistakes.len());
         sets
@@ -94,6 +97,13 @@ impl Candidate {
     /// The explanation by a hypothesis, if it draws what is seen.
     pub(super) fn explanation(&self, seen: &Seen, hypothesis: &Hypothesis, required: [bool; 3]) -> Option<Explanation> {
         self.draws(seen, hypothesis, required).map(|strengths| self.explained(hypothesis, strengths))
+    }
+
+    /// Whether a hypothesis draws every scene at the places on the screen that are seen, in whatever colours.
+    pub(super) fn is_in_place(&self, seen: &Seen, hypothesis: &Hypothesis) -> bool {
+        let predict = |scene| self.fine.predict(scene, hypothesis, Sum::Terms);
+        let all: Vec<Predicted> = (0..self.fine.scenes()).map(predict).collect();
+        is_in_place(&seen.clip, &all.iter().collect::<Vec<_>>())
     }
 
     /// Whether a hypothesis takes all light of the required terms away, whatever their strengths.

@@ -38,13 +38,13 @@ pub(crate) struct Explainer<'a> {
     /// Pairs that may still be predicted at few places. Each set of roles has its own: those with wrong roles would leave
     /// none for the right ones.
     pub pairs_left: Cell<usize>,
-    /// Pairs that may still be predicted at all places.
+    /// Pairs of the same number of suspects that may still be predicted at all places.
     pub whole_left: Cell<usize>,
 }
 
 /// Most runs of pairs at few places.
 pub(super) const MOST_PAIRS: usize = 120_000;
-/// Most pairs that are predicted at all places.
+/// Most pairs of the same number of suspects that are predicted at all places.
 pub(super) const MOST_WHOLE: usize = 240;
 /// Most single mistakes that resemble a picture at few places.
 const MOST_LIKE_ONE: usize = 40;
@@ -137,41 +137,59 @@ impl Explainer<'_> {
         })
     }
 
-    /// Explains a black or white picture by single mistakes that make it so and whose own wrong values the program computes.
+    /// Explains a black or white picture by single mistakes that make it so and whose own wrong values the program computes; a
+    /// white one else by those whose own wrong values are constants.
     fn by_evidence(&self, seen: &Seen) -> Result<Singly, String> {
-        let mut found = Vec::new();
+        let mut candidates = Vec::new();
         for method in self.methods {
             for lights in self.parameterisation.right_lights() {
-                let candidate = self.candidate(*method, *lights, seen)?;
-                let evident: Vec<&Hypothesis> =
-                    candidate.wrong().filter(|single| candidate.is_evident(single)).collect();
-                for set in candidate.peculiarities(self.is_likely) {
-                    let makes_white = |both: &Hypothesis| {
-                        candidate.is_white(both, self.required) && !candidate.is_white(&set, self.required)
-                    };
-                    let both = evident.iter().filter_map(|single| set.and(single));
-                    found.extend(both.filter_map(|both| match is_white(seen) {
-                        // A white picture does not tell how strong the light is.
-                        true => {
-                            let drawn = candidate.explanation(seen, &both, self.required);
-                            let required = self.required.map(|is_required| [if is_required { 1.0 } else { 0.0 }; 3]);
-                            drawn.filter(|_| makes_white(&both)).map(|found| Explanation {
-                                strengths: std::array::from_fn(|term| found.strengths[term].and(Some(required[term]))),
-                                ..found
-                            })
-                        }
-                        false => {
-                            candidate.is_black(&both, self.required).then(|| candidate.explained(&both, [None; 3]))
-                        }
-                    }));
-                    if !found.is_empty() {
-                        break;
-                    }
-                }
+                candidates.push(self.candidate(*method, *lights, seen)?);
             }
+        }
+        let mut found = self.making_blank(&candidates, seen, Candidate::is_evident);
+        let is_drawn = || seen.colour.numbers.iter().all(|x| x.is_finite());
+        if found.is_empty() && is_white(seen) && is_drawn() {
+            found =
+                self.making_blank(&candidates, seen, |candidate, single| candidate.which(single) == Which::Suspects);
         }
         let found = simplest(found);
         Ok(if found.is_empty() { Singly::Unexplained(Vec::new()) } else { Singly::Explained(found) })
+    }
+
+    /// The mistakes among some that make a picture black or white.
+    fn making_blank(
+        &self,
+        candidates: &[Candidate],
+        seen: &Seen,
+        is_asked: impl Fn(&Candidate, &Hypothesis) -> bool,
+    ) -> Vec<Explanation> {
+        let mut found = Vec::new();
+        for candidate in candidates {
+            let asked: Vec<&Hypothesis> = candidate.wrong().filter(|single| is_asked(candidate, single)).collect();
+            for set in candidate.peculiarities(self.is_likely) {
+                let makes_white = |both: &Hypothesis| {
+                    candidate.is_white(both, self.required) && !candidate.is_white(&set, self.required)
+                };
+                let both = asked.iter().filter_map(|single| set.and(single));
+                // A white picture does not tell how strong the light is.
+                let required = self.required.map(|is_required| [if is_required { 1.0 } else { 0.0 }; 3]);
+                let is_open = |term: usize| candidate.fine.open().contains(&term);
+                let strengths = std::array::from_fn(|term| is_open(term).then_some(required[term]));
+                found.extend(both.filter_map(|both| {
+                    match is_white(seen) {
+                        true => (makes_white(&both) && candidate.is_in_place(seen, &both))
+                            .then(|| candidate.explained(&both, strengths)),
+                        false => {
+                            candidate.is_black(&both, self.required).then(|| candidate.explained(&both, [None; 3]))
+                        }
+                    }
+                }));
+                if !found.is_empty() {
+                    break;
+                }
+            }
+        }
+        found
     }
 
     /// Explains a picture by two mistakes.
@@ -195,6 +213,8 @@ impl Explainer<'_> {
             if suspects == 0 && fewest.is_some() {
                 break;
             }
+            // Where few places tell little, the pairs of two suspects would leave none for the others.
+            self.whole_left.set(MOST_WHOLE);
             let may_be = |set: &&Hypothesis| fewest.is_none_or(|fewest| set.mistakes.len() <= fewest);
             for (candidate, sets, quick, wrong) in candidates.iter().take(most_candidates) {
                 // An ambient light in its own colour is rare beside two mistakes, and doubles the sets.

@@ -151,7 +151,7 @@ pub(super) fn is_black(seen: &Seen) -> bool {
 /// Whether every place is as bright as a screen can show.
 pub(super) fn is_white(seen: &Seen) -> bool {
     let mut finite = seen.colour.numbers.iter().filter(|x| x.is_finite()).peekable();
-    finite.peek().is_some() && finite.all(|x| *x >= 1.0)
+    finite.peek().is_some() && finite.all(|x| *x >= WHITE)
 }
 
 /// Whether all places have the same colour on the screen, as in the branch for another kind of object.

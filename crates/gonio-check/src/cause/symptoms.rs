@@ -111,6 +111,19 @@ impl<'a> Symptoms<'a> {
         calls.into_iter().any(|call| self.repaired().any(|other| is_argument(other, call)))
     }
 
+    /// Whether a constant is computed from a wrong one that a variable or a function of the student has.
+    fn is_of_constant_elsewhere(&self, seen: &Observed) -> bool {
+        let functions = &self.at.runner.program.stage(seen.stage).source.expressions;
+        let is_set_elsewhere = |other: &Observed| {
+            let text = self.at.text(other);
+            let is_called =
+                || functions.iter().filter_map(|e| e.function.as_deref()).any(|f| self.is_call_of(other, f));
+            !self.at.is_input(other) && (is_name(text) || is_called())
+        };
+        let is_part = |other: &Observed| other.expr != seen.expr && self.at.is_within(other, seen);
+        self.repaired().any(|other| is_part(other) && other.values.is_constant() && is_set_elsewhere(other))
+    }
+
     /// A wrong name is wrong where its value is computed; a right value of another kind where it is used.
     fn is_elsewhere(&self, seen: &Observed, repair: &Repair) -> bool {
         if self.is_of_vertex(seen, repair) {
@@ -123,7 +136,7 @@ impl<'a> Symptoms<'a> {
         // A constant is wrong where it is computed.
         let is_constant = seen.values.is_constant() && !self.at.is_input(seen);
         if is_constant && !is_read {
-            return false;
+            return self.is_of_constant_elsewhere(seen);
         }
         let of_constant = is_constant && seen.defined_at.is_some();
         let is_of_kind = repair.quantity().is_none_or(|q| {

@@ -165,7 +165,8 @@ impl RightPicture {
             let fit = Fit::new(&colours, sum, &self.scenes(variant, count));
             // A strength of the testbench may be too large for some materials.
             let is_overexposed = fit.is_white && self.predictor.is_ambient_written;
-            (!is_overexposed && fit.is_right(self.required))
+            let is_blind = fit.is_blind && !self.predictor.has_white_material;
+            (!is_overexposed && !is_blind && fit.is_right(self.required))
                 .then(|| Agreement { highlight: self.is_lit.then_some(variant.highlight), strengths: fit.strengths })
         })
     }
@@ -200,6 +201,8 @@ pub(super) struct Fit {
     is_dark: bool,
     /// Whether ambient light alone makes everything white.
     pub is_white: bool,
+    /// Whether there are open strengths and every colour is limited to white: these may be anything.
+    is_blind: bool,
     /// The share of places whose colour differs.
     pub share: f32,
 }
@@ -248,8 +251,10 @@ impl Fit {
     /// Fits predictions of the first scenes, `count` places together.
     pub fn new(seen: &SeenColours, count: usize, scenes: &[&Predicted]) -> Self {
         let mut wrong = vec![false; count];
-        let mut found = Fit { strengths: [None; 3], is_dark: false, is_white: true, share: 1.0 };
+        let mut found = Fit { strengths: [None; 3], is_dark: false, is_white: true, is_blind: false, share: 1.0 };
         let Some(first) = scenes.first() else { return found };
+        let is_limited = |plane: &Vec<f32>| plane[..count].iter().all(|x| *x >= 1.0 || !x.is_finite());
+        found.is_blind = !first.open.is_empty() && seen.planes.iter().all(is_limited);
         // With open strengths, a dark picture is as good as a bright one; a black one has no light.
         let scale = match first.open.is_empty() {
             true => 1.0,

@@ -84,7 +84,8 @@ impl<'a> Explained<'a> {
     fn by_values(&self, mut all: Vec<&'static Mistake>) -> Vec<&'static Mistake> {
         all.sort_by_key(|mistake| {
             let has_value = self.place_of(mistake).is_some_and(|place| place.is_direct);
-            (mistake.id == NOT_PUT_OUT, !has_value)
+            // What is computed earlier tells more than what is put out in the end.
+            (mistake.id == NOT_PUT_OUT, !has_value, mistake.whole)
         });
         all
     }

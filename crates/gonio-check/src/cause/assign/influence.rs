@@ -167,7 +167,15 @@ pub(in crate::cause) fn by_influence(
     let has_light = has(&|role| role.light().is_some() && role.in_space(false).is_some());
     let has_eye = has(&|role| role == Role::ViewPos);
     let (light, eye) = (Role::LightPos(0), Role::ViewPos);
+    // Where a mistake takes the light away, its place has no influence.
+    let is_light_by_values = |at: &usize| {
+        let is_it = |bound: &Bound| bound.role == light && all[*at].members.contains(&bound.declared);
+        kinds[*at] == Influence::None && assigned.bindings.bound.iter().any(is_it)
+    };
     let of_places: Vec<Vec<(usize, Role)>> = match (places.as_slice(), is_lit) {
+        ([], true) if !has_light => {
+            vec![(0..all.len()).filter(is_light_by_values).take(1).map(|at| (at, light)).collect()]
+        }
         ([], _) => vec![Vec::new()],
         ([one, ..], false) => vec![vec![(*one, eye)]],
         ([one], true) => vec![vec![(*one, if has_light { eye } else { light })]],

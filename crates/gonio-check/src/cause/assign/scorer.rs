@@ -23,6 +23,8 @@ pub(in crate::cause) struct Scorer<'a> {
     /// The first places of the scene.
     few: [SceneSamples; 1],
     quantities: Vec<(Stage, &'a Values)>,
+    /// Whether the models have a light.
+    pub is_lit: bool,
     known: Mutex<HashMap<Assignment, usize>>,
 }
 
@@ -37,7 +39,8 @@ impl<'a> Scorer<'a> {
             seen.insert((*stage as usize, values.size, values.present.clone(), bits(values)))
         };
         let quantities = all.map(|quantity| (quantity.stage, &quantity.values)).filter(is_new).collect();
-        Scorer { scene, few: [scene.few(SCORED_PLACES)], quantities, known: Mutex::default() }
+        let is_lit = models.iter().any(|model| model.method.model.is_lit());
+        Scorer { scene, few: [scene.few(SCORED_PLACES)], quantities, is_lit, known: Mutex::default() }
     }
 
     /// How many expressions are quantities of the light equation.

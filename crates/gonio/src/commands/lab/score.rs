@@ -367,6 +367,9 @@ fn table(rows: &[Row]) -> String {
         for (made, named) in row.score.single.misnamed.iter().chain(&row.score.pairs.misnamed) {
             text.push_str(&format!("\n{}: {made} was named {named}", row.score.exercise));
         }
+        for made in row.score.single.unnamed.iter().chain(&row.score.pairs.unnamed) {
+            text.push_str(&format!("\n{}: {made} was not named", row.score.exercise));
+        }
         for name in &row.false_alarms {
             text.push_str(&format!("\n{}: {} is correct but was called wrong", row.score.exercise, visible(name)));
         }
