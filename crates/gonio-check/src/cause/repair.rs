@@ -4,6 +4,7 @@ use super::model::{Model, Quantity};
 use super::observed::{DIFFUSE_NAMES, Observed, Observer, SPECULAR_NAMES, SUMS, TERMS, has_space, is_single_token};
 use super::program::Change;
 use super::values::Values;
+use std::cell::OnceCell;
 
 /// How the right value is related to the wrong one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -118,10 +119,19 @@ impl Repair {
     }
 }
 
+/// The repairs that are asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Asked {
+    /// Those of values that are a mistake's own, and those of a gamma curve.
+    Known,
+    /// All.
+    All,
+}
+
 impl Observer<'_> {
-    /// All repairs worth trying, by cost.
+    /// All repairs worth trying, or some of them, by cost.
     #[must_use]
-    pub fn repairs(&self, observed: &[Observed]) -> Vec<Repair> {
+    pub fn repairs(&self, observed: &[Observed], asked: Asked) -> Vec<Repair> {
         let space = self.space(observed);
         let model = self.model;
         let text = |o: &Observed| {
@@ -130,18 +140,27 @@ impl Observer<'_> {
         };
         let mut all = Vec::new();
         // The terms that each expression is, right or with a known mistake.
-        let terms: Vec<Vec<&str>> = observed.iter().map(|seen| self.terms(seen)).collect();
+        let terms: OnceCell<Vec<Vec<&str>>> = OnceCell::new();
         let contains_any = |seen: &Observed, names: &[&str]| {
-            observed.iter().zip(&terms).any(|(other, terms)| {
+            let terms = terms.get_or_init(|| observed.iter().map(|seen| self.terms(seen)).collect());
+            observed.iter().zip(terms).any(|(other, terms)| {
                 self.is_within(other, seen)
                     && self.tokens(other) != self.tokens(seen)
                     && terms.iter().any(|term| names.contains(term))
             })
         };
         for (of, seen) in observed.iter().enumerate().filter(|(_, seen)| !seen.is_assignment) {
+            let known: Vec<&Quantity> = (model.quantities.iter())
+                .filter(|q| q.stage == seen.stage && q.mistake.is_some() && q.values.is_same(&seen.values))
+                .collect();
+            let size = seen.values.size;
+            // The curve is a power, and what is computed from it later.
+            let may_be_curve = (size == 3 || size == 4) && self.text(seen).contains("pow");
+            if asked == Asked::Known && known.is_empty() && !may_be_curve {
+                continue;
+            }
             let fits = |q: &Quantity| !has_space(&q.name) || q.space == space;
             let is_right = seen.is.is_some_and(|is| fits(&model.quantities[is]));
-            let size = seen.values.size;
             let length = (text(seen).1 - text(seen).0) as f32;
             let is_literal = self.is_literal(seen) || self.is_zero(seen);
             let is_compared = self.runner.program.is_compared(seen.stage, seen.expr);
@@ -175,9 +194,6 @@ impl Observer<'_> {
                 let cost = cost + length * 0.002;
                 all.push(Repair { of, relation, should, make, cost });
             };
-            let known: Vec<&Quantity> = (model.quantities.iter())
-                .filter(|q| q.stage == seen.stage && q.mistake.is_some() && q.values.is_same(&seen.values))
-                .collect();
             for (index, quantity) in model.quantities.iter().enumerate() {
                 let is_candidate = quantity.stage == seen.stage && quantity.mistake.is_none() && fits(quantity);
                 if !is_candidate || quantity.values.size != size {
@@ -185,7 +201,11 @@ impl Observer<'_> {
                 }
                 let right = &quantity.values;
                 let is_it = |k: &&Quantity| k.name == quantity.name && k.interpolated == quantity.interpolated;
-                let relation = if known.iter().any(is_it) {
+                let is_known = known.iter().any(is_it);
+                if asked == Asked::Known && !is_known {
+                    continue;
+                }
+                let relation = if is_known {
                     Relation::Known
                 } else if size == 3 && seen.values.is_parallel(right, 1.0) {
                     Relation::Length
@@ -221,16 +241,18 @@ impl Observer<'_> {
                 }
                 push(relation, quantity.name.clone(), Make::Quantity(index), 0.0);
             }
+            if may_be_curve {
+                push(Relation::Factor, "linear".to_owned(), Make::Linear, 0.0);
+            }
+            if asked == Asked::Known {
+                continue;
+            }
             push(Relation::Sign, "-".to_owned(), Make::Negative, 0.5);
             if size == 3 {
                 push(Relation::Length, "unit".to_owned(), Make::Unit, 0.5);
             }
             if size == 1 {
                 push(Relation::Clamp, "max(0)".to_owned(), Make::NotNegative, 0.5);
-            }
-            // The curve is a power, and what is computed from it later.
-            if (size == 3 || size == 4) && self.text(seen).contains("pow") {
-                push(Relation::Factor, "linear".to_owned(), Make::Linear, 0.0);
             }
             if size == 1 || size == 3 {
                 self.scaled(observed, seen, &mut push);

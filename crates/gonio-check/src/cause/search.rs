@@ -9,7 +9,7 @@ use super::influence::{Influence, Trial};
 use super::observed::{DEEPEST, Observed, Observer, is_name};
 use super::program::Change;
 use super::proven_cause::ProvenCause;
-use super::repair::{Make, Relation, Repair};
+use super::repair::{Asked, Make, Relation, Repair};
 use super::right_change::RightChange;
 use super::seeing::see;
 use super::target::{RightPicture, Seen};
@@ -58,10 +58,10 @@ impl<'a> Search<'a> {
         Search { at, target, explanations, lights, telling: most_telling(at), runs: 0, statements: 0 }
     }
 
-    /// All repairs worth trying, by cost. Where a second light is off, its evaluations are not repaired: what is wrong shows in
+    /// Repairs worth trying, by cost. Where a second light is off, its evaluations are not repaired: what is wrong shows in
     /// those of the first.
-    fn repairs(&self, observed: &[Observed]) -> Vec<Repair> {
-        let mut all = self.at.repairs(observed);
+    fn repairs(&self, observed: &[Observed], asked: Asked) -> Vec<Repair> {
+        let mut all = self.at.repairs(observed, asked);
         if self.lights == Lights::First {
             let mut recognised = BTreeMap::<u32, usize>::new();
             for seen in observed.iter().filter(|seen| !seen.is_assignment) {
@@ -152,10 +152,11 @@ impl<'a> Search<'a> {
         tried: Tried,
         (most, end): (usize, usize),
     ) -> Vec<ProvenCause> {
-        let repairs = self.repairs(observed);
         // A gamma curve is one repair at each colour, whatever else the colours are.
-        let (mut known, others): (Vec<Repair>, Vec<Repair>) =
-            repairs.into_iter().partition(|repair| repair.relation == Relation::Known || repair.make == Make::Linear);
+        let is_known = |repair: &Repair| repair.relation == Relation::Known || repair.make == Make::Linear;
+        let asked = if tried == Tried::All { Asked::All } else { Asked::Known };
+        let (mut known, mut others): (Vec<Repair>, Vec<Repair>) =
+            self.repairs(observed, asked).into_iter().partition(is_known);
         // The earliest tell most, and the runs may not be enough for all.
         known.sort_by_key(|repair| observed[repair.of].depth);
         let end = (self.runs + most).min(end);
@@ -177,6 +178,9 @@ impl<'a> Search<'a> {
         let first = proven.iter().map(depth).min().unwrap_or(DEEPEST + 1);
         // A right value may be computed from a wrong one, which makes it another quantity.
         // Beside a known wrong value, only earlier ones may be the cause.
+        if asked == Asked::Known && !proven.is_empty() {
+            others = self.repairs(observed, Asked::All).into_iter().filter(|repair| !is_known(repair)).collect();
+        }
         let depths = if tried == Tried::All || !proven.is_empty() { 1..first.max(2) } else { 0..0 };
         for at in depths {
             let here: Vec<Repair> = others.iter().filter(|repair| depth(repair) == at).cloned().collect();
@@ -226,7 +230,7 @@ impl<'a> Search<'a> {
 
     /// The repairs of wrong values of mistakes, the earliest first.
     fn known(&self, observed: &[Observed]) -> Vec<Repair> {
-        let mut known = self.repairs(observed);
+        let mut known = self.repairs(observed, Asked::Known);
         known.retain(|repair| repair.relation == Relation::Known);
         known.sort_by_key(|repair| observed[repair.of].depth);
         known

@@ -3,7 +3,7 @@
 use super::Search;
 use crate::cause::observed::{Observed, Observer};
 use crate::cause::program::Runner;
-use crate::cause::repair::{Make, Repair};
+use crate::cause::repair::{Asked, Make, Repair};
 use crate::cause::target::Seen;
 use gonio_glsl::Stage;
 
@@ -39,7 +39,7 @@ impl Search<'_> {
         if wrong(self, &before, self.telling) != [true; 2] {
             return Vec::new();
         }
-        let mut repairs = self.repairs(observed);
+        let mut repairs = self.repairs(observed, Asked::All);
         repairs.retain(|repair| repair.quantity().is_some_and(|q| self.at.model.quantities[q].name == POSITION));
         repairs.sort_by_key(|repair| observed[repair.of].depth);
         let mut found = Vec::new();
@@ -63,7 +63,7 @@ impl Search<'_> {
         let model = self.at.model.in_first_scene(first);
         let at_first = Observer { runner: &Runner::new(self.at.runner.program, first), model: &model };
         let before = at_first.recognised(&[]);
-        let repairs = self.repairs(observed);
+        let repairs = self.repairs(observed, Asked::All);
         // A product or a sum with another value is rarely one that others are computed from.
         let is_other_value = |repair: &Repair| matches!(repair.make, Make::Quantity(_) | Make::Negative | Make::Unit);
         let firsts = repairs.into_iter().filter(|repair| observed[repair.of].depth == 1 && is_other_value(repair));
