@@ -21,6 +21,17 @@ impl Default for Budget {
 }
 
 impl Budget {
+    /// What is left.
+    pub fn left(&self) -> [usize; 2] {
+        [self.at_few.get(), self.drawn.get()]
+    }
+
+    /// An equal part of what is left for one of `count` sets of roles, whatever the others take.
+    pub fn part([at_few, drawn]: [usize; 2], count: usize) -> Self {
+        let of = |left: usize| Cell::new(left / count.max(1));
+        Budget { at_few: of(at_few), drawn: of(drawn) }
+    }
+
     /// Takes a number of predictions at few places; false if fewer are left.
     pub fn take(&self, count: usize) -> bool {
         take(&self.at_few, count)
@@ -49,6 +60,7 @@ mod tests {
         assert!(!budget.take(11));
         assert!(budget.take(10));
         assert!(!budget.take(1));
+        assert_eq!(Budget::part(budget.left(), 3).left(), [0, MOST_DRAWN / 3]);
         assert_eq!((0..2 * MOST_DRAWN).filter(|_| budget.take_drawn()).count(), MOST_DRAWN);
     }
 }

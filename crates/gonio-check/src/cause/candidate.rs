@@ -8,7 +8,7 @@ use super::shown::Shown;
 use super::target::{Fit, Seen, SeenColours, is_in_place, planes};
 use super::values::Values;
 use crate::mistakes::{Hypothesis, Mistake, TERMS};
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// The peculiarity of a highlight by the half vector.
 const HALF_VECTOR: &str = "specular-half-vector";
@@ -36,7 +36,7 @@ pub(super) struct WrongOfPair<'a> {
 /// A model solution with predictions at few, at more and at all places.
 pub(crate) struct Candidate {
     pub(super) method: LightingMethod,
-    pub(super) shown: Rc<Shown>,
+    pub(super) shown: Arc<Shown>,
     pub(super) few: AtFew,
     pub(super) coarse: AtFew,
     pub(super) fine: Predictor,

@@ -1,13 +1,20 @@
 //! Draws a conclusion from several sets of roles that the inputs of a program may have.
 
 use super::budget::Budget;
+use super::candidate::Candidate;
 use super::diagnosing::Diagnosing;
 use super::explain::Singly;
 use super::few_places::{is_black, is_flat};
 use super::found::Found;
 use super::methods::methods;
-use super::target::Agreement;
+use super::target::{Agreement, Seen};
 use super::{Diagnosis, DiagnosisDepth};
+use crate::mistakes::Hypothesis;
+use gonio_threads::current_num_threads;
+use gonio_threads::prelude::*;
+
+/// A model solution that was tried, with its sets of peculiarities.
+type Tried = (Candidate, Vec<Hypothesis>);
 
 /// What is tried with one set of roles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -96,19 +103,35 @@ pub(super) fn first_conclusion<'a>(
     let unknown = |one: &Diagnosing<'_>| one.program.bindings.unknown.len();
     let fewest = wrong.iter().map(|(one, _)| unknown(one)).min();
     others.retain(|(one, _)| fewest.is_none_or(|fewest| unknown(one) <= fewest));
-    for (one, seen) in &others {
-        match one.explaining(&one.scenes, &budget, |explainer| explainer.singly(seen))? {
-            Singly::Explained(found) if !found.is_empty() => return one.wrong(found),
+    let left = budget.left();
+    let singly = in_batches(&others, |(one, seen)| {
+        let budget = Budget::part(left, others.len());
+        one.explaining(&one.scenes, &budget, |explainer| explainer.singly(seen))
+    });
+    for (at, singly) in singly.enumerate() {
+        match singly? {
+            Singly::Explained(found) if !found.is_empty() => return others[at].0.wrong(found),
             Singly::Explained(_) => unexplained.push(Vec::new()),
             Singly::Unexplained(tried) => unexplained.push(tried),
         }
     }
-    for ((one, seen), tried) in wrong.iter().chain(&others).zip(&unexplained) {
-        let explanations = one.explaining(&one.scenes, &budget, |explainer| explainer.by_pairs(tried, seen))?;
+    let all: Vec<_> = wrong.iter().chain(&others).zip(&unexplained).collect();
+    let by_pairs = |((one, seen), tried): &(&(Diagnosing<'_>, Seen), &Vec<Tried>)| {
+        one.explaining(&one.scenes, &Budget::default(), |explainer| explainer.by_pairs(tried, seen))
+    };
+    // The first alone: it is often the one.
+    let (first, rest) = all.split_at(all.len().min(1));
+    for (at, explanations) in in_batches(first, by_pairs).chain(in_batches(rest, by_pairs)).enumerate() {
+        let explanations = explanations?;
         if !explanations.is_empty() {
-            return one.wrong(explanations);
+            return all[at].0.0.wrong(explanations);
         }
     }
     let Some((first, _)) = wrong.first() else { return Err("no program".to_owned()) };
     first.wrong(Vec::new())
+}
+
+/// The results for all items in order, computed on all cores as far as they are asked for.
+fn in_batches<'t, T: Sync, R: Send>(items: &'t [T], of_one: impl Fn(&T) -> R + Sync) -> impl Iterator<Item = R> {
+    items.chunks(current_num_threads()).flat_map(move |batch| batch.par_iter().map(&of_one).collect::<Vec<R>>())
 }

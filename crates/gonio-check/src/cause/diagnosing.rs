@@ -25,9 +25,8 @@ use crate::mistakes::Hypothesis;
 use crate::roles::NamesFile;
 use crate::testbench::TestScene;
 use gonio_glsl::{Checked, Parsed, Span, Stage};
-use std::cell::{Cell, RefCell};
-use std::rc::Rc;
-use std::sync::Arc;
+use std::cell::Cell;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use super::answer::{self, AnswerMethod, Space};
 use super::{Diagnosis, explanation, place};
@@ -59,7 +58,7 @@ pub(super) struct Diagnosing<'a> {
     /// Most runs of pairs of mistakes at few places.
     pub(super) most_pairs: usize,
     /// The quantities that the program computes, by the method that they are compared with.
-    pub(super) shown: RefCell<Vec<(LightingMethod, Rc<Shown>)>>,
+    pub(super) shown: Mutex<Vec<(LightingMethod, Arc<Shown>)>>,
 }
 
 impl Diagnosing<'_> {
@@ -331,14 +330,15 @@ impl Diagnosing<'_> {
     }
 
     /// The quantities that the program computes, compared with a method.
-    pub(super) fn shown(&self, method: LightingMethod) -> Result<Rc<Shown>, String> {
-        if let Some((_, known)) = self.shown.borrow().iter().find(|(known, _)| *known == method) {
-            return Ok(Rc::clone(known));
+    pub(super) fn shown(&self, method: LightingMethod) -> Result<Arc<Shown>, String> {
+        let all = || self.shown.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some((_, known)) = all().iter().find(|(known, _)| *known == method) {
+            return Ok(Arc::clone(known));
         }
         let exponent = self.parameterisation.written_exponent.unwrap_or(1.0);
         let new = Shown::new(self.solutions, self.program, &self.scenes[..self.of_one], method, exponent)?;
-        let new = Rc::new(new);
-        self.shown.borrow_mut().push((method, Rc::clone(&new)));
+        let new = Arc::new(new);
+        all().push((method, Arc::clone(&new)));
         Ok(new)
     }
 

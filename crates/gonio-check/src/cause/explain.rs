@@ -15,7 +15,7 @@ use crate::comparison::{Lights, Parameterisation};
 use crate::mistakes::Hypothesis;
 use crate::testbench::TestScene;
 use std::cell::Cell;
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// What a program may assume.
 pub(crate) struct Explainer<'a> {
@@ -24,7 +24,7 @@ pub(crate) struct Explainer<'a> {
     /// The methods, the likeliest first.
     pub methods: &'a [LightingMethod],
     /// The quantities that the program computes, compared with a method.
-    pub shown: &'a dyn Fn(LightingMethod) -> Result<Rc<Shown>, String>,
+    pub shown: &'a dyn Fn(LightingMethod) -> Result<Arc<Shown>, String>,
     /// Whether a peculiarity of right answers may be that of the program.
     pub is_likely: &'a dyn Fn(&str) -> bool,
     /// The parameterisation of the program.

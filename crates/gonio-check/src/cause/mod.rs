@@ -71,8 +71,7 @@ use place::MistakePlace;
 use program::{Program, Runner};
 pub use samples::SceneSamples;
 pub use solutions::ModelSolutions;
-use std::cell::RefCell;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex};
 
 /// Why values cannot be judged.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -229,7 +228,7 @@ pub fn diagnose(
             hints: &hints,
             // Other conventions share what one set of roles has.
             most_pairs: if attempt == Attempt::Single { MOST_PAIRS / others.len().max(2) } else { MOST_PAIRS },
-            shown: RefCell::default(),
+            shown: Mutex::default(),
         };
         Some((one, attempt))
     };

@@ -4,6 +4,7 @@ use super::program::{Change, Runner};
 use super::values::Values;
 use gonio_glsl::Stage;
 use gonio_interpreter::{ExprId, PointValues};
+use gonio_threads::prelude::*;
 use std::collections::BTreeMap;
 
 /// Both stages, in the order of their work.
@@ -29,8 +30,9 @@ pub(super) fn observe(
     watched: [&[ExprId]; 2],
 ) -> Vec<Recorded> {
     let mut found = BTreeMap::<(usize, ExprId, u32), (usize, Values)>::new();
-    for scene in scenes {
-        let result = runner.run(scene, changes, watched);
+    let scenes: Vec<usize> = scenes.collect();
+    let results: Vec<_> = scenes.par_iter().map(|scene| (*scene, runner.run(*scene, changes, watched))).collect();
+    for (scene, result) in results {
         for (stage, run) in STAGES.into_iter().zip([&*result.vertex, &result.fragment]) {
             let (all, first) = (runner.points(stage), runner.first_point(stage, scene));
             for (order, evaluation) in run.evaluations.iter().enumerate() {

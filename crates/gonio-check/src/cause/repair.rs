@@ -1,10 +1,11 @@
 //! Right values for wrong expressions, by what they have in common with the wrong ones.
 
-use super::model::{Model, Quantity};
+use super::model::{Model, Quantity, Space};
 use super::observed::{DIFFUSE_NAMES, Observed, Observer, SPECULAR_NAMES, SUMS, TERMS, has_space, is_single_token};
 use super::program::Change;
 use super::values::Values;
-use std::cell::OnceCell;
+use gonio_threads::prelude::*;
+use std::sync::OnceLock;
 
 /// How the right value is related to the wrong one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -133,14 +134,8 @@ impl Observer<'_> {
     #[must_use]
     pub fn repairs(&self, observed: &[Observed], asked: Asked) -> Vec<Repair> {
         let space = self.space(observed);
-        let model = self.model;
-        let text = |o: &Observed| {
-            let span = self.runner.program.stage(o.stage).source.expressions[o.expr.0 as usize].span;
-            (span.start, span.end)
-        };
-        let mut all = Vec::new();
         // The terms that each expression is, right or with a known mistake.
-        let terms: OnceCell<Vec<Vec<&str>>> = OnceCell::new();
+        let terms: OnceLock<Vec<Vec<&str>>> = OnceLock::new();
         let contains_any = |seen: &Observed, names: &[&str]| {
             let terms = terms.get_or_init(|| observed.iter().map(|seen| self.terms(seen)).collect());
             observed.iter().zip(terms).any(|(other, terms)| {
@@ -149,131 +144,148 @@ impl Observer<'_> {
                     && terms.iter().any(|term| names.contains(term))
             })
         };
-        for (of, seen) in observed.iter().enumerate().filter(|(_, seen)| !seen.is_assignment) {
-            let known: Vec<&Quantity> = (model.quantities.iter())
-                .filter(|q| q.stage == seen.stage && q.mistake.is_some() && q.values.is_same(&seen.values))
-                .collect();
-            let size = seen.values.size;
-            // The curve is a power, and what is computed from it later.
-            let may_be_curve = (size == 3 || size == 4) && self.text(seen).contains("pow");
-            if asked == Asked::Known && known.is_empty() && !may_be_curve {
-                continue;
-            }
-            let fits = |q: &Quantity| !has_space(&q.name) || q.space == space;
-            let is_right = seen.is.is_some_and(|is| fits(&model.quantities[is]));
-            let length = (text(seen).1 - text(seen).0) as f32;
-            let is_literal = self.is_literal(seen) || self.is_zero(seen);
-            let is_compared = self.runner.program.is_compared(seen.stage, seen.expr);
-            // `vec3(ambient)` is as right as the number, and may only lack a colour.
-            let grey = if seen.is.is_none() { seen.values.grey() } else { None };
-            let is_right_grey = grey.is_some_and(|grey| self.recognise(seen.stage, &grey).is_some());
-            let mut push = |relation: Relation, should: String, make: Make, extra: f32| {
-                let quantity = if let Make::Quantity(index) = make { Some(&model.quantities[index]) } else { None };
-                // A literal stands for a constant, unless a known mistake writes it instead of a quantity.
-                let is_bold = is_literal && quantity.is_none_or(|q| !q.values.is_constant());
-                let is_of_number = match make {
-                    Make::Over(_) => true,
-                    Make::Times(by) => model.quantities[by].values.size == 1,
-                    _ => false,
-                };
-                if is_right_grey && is_of_number {
-                    return;
-                }
-                // A right quantity may be used where another one belongs, and an input where another input does.
-                let is_exchanged = relation == Relation::Other && self.is_exchange(seen, quantity);
-                let lacks_colour = self.is_set_to_term(seen) && !is_of_number && matches!(make, Make::Times(_));
-                let is_enough = is_right && !is_exchanged && !lacks_colour;
-                if is_enough && relation > Relation::Length || is_bold && relation != Relation::Known {
-                    return;
-                }
-                let is_whole = quantity.is_some_and(|q| SUMS.contains(&q.name.as_str()));
-                let extra = extra + if is_whole && relation == Relation::Other { 2.0 } else { 0.0 };
-                let extra = extra + if is_right { 2.0 } else { 0.0 } + if is_bold { 4.0 } else { 0.0 };
-                // There are few inputs, and what is computed from a wrong one may be another quantity.
-                let cost = if is_exchanged { EXCHANGE } else { relation as u8 as f32 + extra };
-                let cost = cost + length * 0.002;
-                all.push(Repair { of, relation, should, make, cost });
+        let computed: Vec<usize> = (0..observed.len()).filter(|at| !observed[*at].is_assignment).collect();
+        let of_one = |of: &usize| self.repairs_of(observed, *of, (asked, space), &contains_any);
+        let mut all: Vec<Repair> = computed.par_iter().flat_map_iter(of_one).collect();
+        all.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+        all
+    }
+
+    /// The repairs of one expression. `contains_any`: whether a part of an expression is one of these terms.
+    fn repairs_of(
+        &self,
+        observed: &[Observed],
+        of: usize,
+        (asked, space): (Asked, Space),
+        contains_any: &dyn Fn(&Observed, &[&str]) -> bool,
+    ) -> Vec<Repair> {
+        let (model, seen) = (self.model, &observed[of]);
+        let text = |o: &Observed| {
+            let span = self.runner.program.stage(o.stage).source.expressions[o.expr.0 as usize].span;
+            (span.start, span.end)
+        };
+        let mut all = Vec::new();
+        let known: Vec<&Quantity> = (model.quantities.iter())
+            .filter(|q| q.stage == seen.stage && q.mistake.is_some() && q.values.is_same(&seen.values))
+            .collect();
+        let size = seen.values.size;
+        // The curve is a power, and what is computed from it later.
+        let may_be_curve = (size == 3 || size == 4) && self.text(seen).contains("pow");
+        if asked == Asked::Known && known.is_empty() && !may_be_curve {
+            return all;
+        }
+        let fits = |q: &Quantity| !has_space(&q.name) || q.space == space;
+        let is_right = seen.is.is_some_and(|is| fits(&model.quantities[is]));
+        let length = (text(seen).1 - text(seen).0) as f32;
+        let is_literal = self.is_literal(seen) || self.is_zero(seen);
+        let is_compared = self.runner.program.is_compared(seen.stage, seen.expr);
+        // `vec3(ambient)` is as right as the number, and may only lack a colour.
+        let grey = if seen.is.is_none() { seen.values.grey() } else { None };
+        let is_right_grey = grey.is_some_and(|grey| self.recognise(seen.stage, &grey).is_some());
+        let mut push = |relation: Relation, should: String, make: Make, extra: f32| {
+            let quantity = if let Make::Quantity(index) = make { Some(&model.quantities[index]) } else { None };
+            // A literal stands for a constant, unless a known mistake writes it instead of a quantity.
+            let is_bold = is_literal && quantity.is_none_or(|q| !q.values.is_constant());
+            let is_of_number = match make {
+                Make::Over(_) => true,
+                Make::Times(by) => model.quantities[by].values.size == 1,
+                _ => false,
             };
-            for (index, quantity) in model.quantities.iter().enumerate() {
-                let is_candidate = quantity.stage == seen.stage && quantity.mistake.is_none() && fits(quantity);
-                if !is_candidate || quantity.values.size != size {
-                    continue;
-                }
-                let right = &quantity.values;
-                let is_it = |k: &&Quantity| k.name == quantity.name && k.interpolated == quantity.interpolated;
-                let is_known = known.iter().any(is_it);
-                if asked == Asked::Known && !is_known {
-                    continue;
-                }
-                let relation = if is_known {
-                    Relation::Known
-                } else if size == 3 && seen.values.is_parallel(right, 1.0) {
-                    Relation::Length
-                } else if seen.values.is_scaled(right, -1.0) || size == 3 && seen.values.is_parallel(right, -1.0) {
-                    Relation::Sign
-                } else if seen.is.is_some_and(|is| model.quantities[is].name == quantity.name) {
-                    Relation::Space
-                } else if size == 1 && seen.values.is_clamped(right) {
-                    Relation::Clamp
-                } else if !right.is_constant() && seen.values.factor_of(right).is_some() {
-                    Relation::Scale
-                } else {
-                    Relation::Other
-                };
-                // No number that varies should be a constant, nor one that decides something.
-                let is_number = relation == Relation::Other && size == 1 && right.is_constant();
-                if is_number && (!seen.values.is_constant() || is_compared) {
-                    continue;
-                }
-                // Where nothing resembles attenuated light, the plain term is tried.
-                if relation == Relation::Other && ["diffuse_light", "specular_light"].contains(&quantity.name.as_str())
-                {
-                    continue;
-                }
-                // Ward's term contains cosines of its own.
-                let drops = |names: &[&str], others: &[&str]| {
-                    !model.method.model.has_roughness()
-                        && names.contains(&quantity.name.as_str())
-                        && contains_any(seen, others)
-                };
-                if drops(&DIFFUSE_NAMES, &SPECULAR_NAMES) || drops(&SPECULAR_NAMES, &DIFFUSE_NAMES) {
-                    continue;
-                }
-                push(relation, quantity.name.clone(), Make::Quantity(index), 0.0);
+            if is_right_grey && is_of_number {
+                return;
             }
-            if may_be_curve {
-                push(Relation::Factor, "linear".to_owned(), Make::Linear, 0.0);
+            // A right quantity may be used where another one belongs, and an input where another input does.
+            let is_exchanged = relation == Relation::Other && self.is_exchange(seen, quantity);
+            let lacks_colour = self.is_set_to_term(seen) && !is_of_number && matches!(make, Make::Times(_));
+            let is_enough = is_right && !is_exchanged && !lacks_colour;
+            if is_enough && relation > Relation::Length || is_bold && relation != Relation::Known {
+                return;
             }
-            if asked == Asked::Known {
+            let is_whole = quantity.is_some_and(|q| SUMS.contains(&q.name.as_str()));
+            let extra = extra + if is_whole && relation == Relation::Other { 2.0 } else { 0.0 };
+            let extra = extra + if is_right { 2.0 } else { 0.0 } + if is_bold { 4.0 } else { 0.0 };
+            // There are few inputs, and what is computed from a wrong one may be another quantity.
+            let cost = if is_exchanged { EXCHANGE } else { relation as u8 as f32 + extra };
+            let cost = cost + length * 0.002;
+            all.push(Repair { of, relation, should, make, cost });
+        };
+        for (index, quantity) in model.quantities.iter().enumerate() {
+            let is_candidate = quantity.stage == seen.stage && quantity.mistake.is_none() && fits(quantity);
+            if !is_candidate || quantity.values.size != size {
                 continue;
             }
-            push(Relation::Sign, "-".to_owned(), Make::Negative, 0.5);
-            if size == 3 {
-                push(Relation::Length, "unit".to_owned(), Make::Unit, 0.5);
+            let right = &quantity.values;
+            let is_it = |k: &&Quantity| k.name == quantity.name && k.interpolated == quantity.interpolated;
+            let is_known = known.iter().any(is_it);
+            if asked == Asked::Known && !is_known {
+                continue;
             }
-            if size == 1 {
-                push(Relation::Clamp, "max(0)".to_owned(), Make::NotNegative, 0.5);
+            let relation = if is_known {
+                Relation::Known
+            } else if size == 3 && seen.values.is_parallel(right, 1.0) {
+                Relation::Length
+            } else if seen.values.is_scaled(right, -1.0) || size == 3 && seen.values.is_parallel(right, -1.0) {
+                Relation::Sign
+            } else if seen.is.is_some_and(|is| model.quantities[is].name == quantity.name) {
+                Relation::Space
+            } else if size == 1 && seen.values.is_clamped(right) {
+                Relation::Clamp
+            } else if !right.is_constant() && seen.values.factor_of(right).is_some() {
+                Relation::Scale
+            } else {
+                Relation::Other
+            };
+            // No number that varies should be a constant, nor one that decides something.
+            let is_number = relation == Relation::Other && size == 1 && right.is_constant();
+            if is_number && (!seen.values.is_constant() || is_compared) {
+                continue;
             }
-            if size == 1 || size == 3 {
-                self.scaled(observed, seen, &mut push);
-                // A term that is computed but not added.
-                for (index, other) in observed.iter().enumerate() {
-                    if other.stage != seen.stage || other.values.size > size {
-                        continue;
-                    }
-                    let is_term = other.is.is_some_and(|is| TERMS.contains(&model.quantities[is].name.as_str()));
-                    if other.expr == seen.expr || other.is_assignment || other.values.is_constant() && !is_term {
-                        continue;
-                    }
-                    if !is_term && (other.values.size < size || !is_single_token(self.tokens(other))) {
-                        continue;
-                    }
-                    let name = other.is.map_or("a term", |is| self.model.quantities[is].name.as_str());
-                    push(Relation::Summand, format!("+ {name}"), Make::Plus(index), 0.0);
+            // Where nothing resembles attenuated light, the plain term is tried.
+            if relation == Relation::Other && ["diffuse_light", "specular_light"].contains(&quantity.name.as_str()) {
+                continue;
+            }
+            // Ward's term contains cosines of its own.
+            let drops = |names: &[&str], others: &[&str]| {
+                !model.method.model.has_roughness()
+                    && names.contains(&quantity.name.as_str())
+                    && contains_any(seen, others)
+            };
+            if drops(&DIFFUSE_NAMES, &SPECULAR_NAMES) || drops(&SPECULAR_NAMES, &DIFFUSE_NAMES) {
+                continue;
+            }
+            push(relation, quantity.name.clone(), Make::Quantity(index), 0.0);
+        }
+        if may_be_curve {
+            push(Relation::Factor, "linear".to_owned(), Make::Linear, 0.0);
+        }
+        if asked == Asked::Known {
+            return all;
+        }
+        push(Relation::Sign, "-".to_owned(), Make::Negative, 0.5);
+        if size == 3 {
+            push(Relation::Length, "unit".to_owned(), Make::Unit, 0.5);
+        }
+        if size == 1 {
+            push(Relation::Clamp, "max(0)".to_owned(), Make::NotNegative, 0.5);
+        }
+        if size == 1 || size == 3 {
+            self.scaled(observed, seen, &mut push);
+            // A term that is computed but not added.
+            for (index, other) in observed.iter().enumerate() {
+                if other.stage != seen.stage || other.values.size > size {
+                    continue;
                 }
+                let is_term = other.is.is_some_and(|is| TERMS.contains(&model.quantities[is].name.as_str()));
+                if other.expr == seen.expr || other.is_assignment || other.values.is_constant() && !is_term {
+                    continue;
+                }
+                if !is_term && (other.values.size < size || !is_single_token(self.tokens(other))) {
+                    continue;
+                }
+                let name = other.is.map_or("a term", |is| self.model.quantities[is].name.as_str());
+                push(Relation::Summand, format!("+ {name}"), Make::Plus(index), 0.0);
             }
         }
-        all.sort_by(|a, b| a.cost.total_cmp(&b.cost));
         all
     }
 

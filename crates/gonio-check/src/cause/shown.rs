@@ -9,9 +9,8 @@ use super::samples::SceneSamples;
 use super::solutions::ModelSolutions;
 use crate::mistakes::{Hypotheses, Hypothesis, Mistake};
 use crate::testbench::TestScene;
-use std::cell::OnceCell;
 use std::collections::{BTreeMap, BTreeSet};
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// Places in each scene at which values are compared.
 const PLACES: usize = 20;
@@ -36,7 +35,7 @@ pub(crate) struct Shown {
     /// The positions and directions of the program that are in world space alone, and in view space alone.
     in_spaces: [usize; 2],
     /// Mistakes by their ids, and whether the program computes their own wrong values.
-    suspects: OnceCell<BTreeMap<&'static str, bool>>,
+    suspects: OnceLock<BTreeMap<&'static str, bool>>,
 }
 
 impl Shown {
@@ -88,7 +87,7 @@ impl Shown {
         let variables = hypotheses.with_parts(&right);
         let program = program.clone();
         let solutions = Arc::clone(solutions);
-        let suspects = OnceCell::new();
+        let suspects = OnceLock::new();
         Ok(Shown {
             solutions,
             program,
