@@ -227,7 +227,7 @@ pub fn diagnose(
             of_one,
             hints: &hints,
             // Other conventions share what one set of roles has.
-            most_pairs: if attempt == Attempt::Single { MOST_PAIRS / others.len().max(2) } else { MOST_PAIRS },
+            most_pairs: if attempt == Attempt::Single { MOST_PAIRS / (2 * others.len()).max(2) } else { MOST_PAIRS },
             shown: Mutex::default(),
         };
         Some((one, attempt))
