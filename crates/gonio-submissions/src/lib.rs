@@ -149,10 +149,13 @@ impl Sketch {
                 NormalBy::Computed | NormalBy::RowTimesInverse => false,
                 _ => !["itM", "inverseTransposeModel"].contains(&self.names.get("itM")),
             };
-        // Without names, V M may be sent as M, or as the matrix of the normals.
-        let is_of_other_space =
-            ["position-in-view-space", "normal-by-model-view", "direction-turned-by-view"].contains(&slip.key);
-        let is_open = (is_product || is_of_other_space) && self.names.are_meaningless || is_open_sky || is_open_space;
+        // Without names, V M may be sent as M, or as the matrix of the normals, P V as the sky's matrix, and the root of a strength
+        // as the strength.
+        let is_of_other_input =
+            ["position-in-view-space", "normal-by-model-view", "direction-turned-by-view", "skybox-not-turned"]
+                .contains(&slip.key)
+                || slip.key.ends_with("-strength-squared");
+        let is_open = (is_product || is_of_other_input) && self.names.are_meaningless || is_open_sky || is_open_space;
         (slip.fits)(answer, &self.plan) && !is_open
     }
 
