@@ -132,6 +132,6 @@ pub(super) fn first_conclusion<'a>(
 }
 
 /// The results for all items in order, computed on all cores as far as they are asked for.
-fn in_batches<'t, T: Sync, R: Send>(items: &'t [T], of_one: impl Fn(&T) -> R + Sync) -> impl Iterator<Item = R> {
+fn in_batches<T: Sync, R: Send>(items: &[T], of_one: impl Fn(&T) -> R + Sync) -> impl Iterator<Item = R> {
     items.chunks(current_num_threads()).flat_map(move |batch| batch.par_iter().map(&of_one).collect::<Vec<R>>())
 }
