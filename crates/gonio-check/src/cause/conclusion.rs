@@ -1,20 +1,15 @@
 //! Draws a conclusion from several sets of roles that the inputs of a program may have.
 
 use super::budget::Budget;
-use super::candidate::Candidate;
 use super::diagnosing::Diagnosing;
-use super::explain::Singly;
+use super::explain::{Singly, TriedModel};
 use super::few_places::{is_black, is_flat};
 use super::found::Found;
 use super::methods::methods;
 use super::target::{Agreement, Seen};
 use super::{Diagnosis, DiagnosisDepth};
-use crate::mistakes::Hypothesis;
 use gonio_threads::current_num_threads;
 use gonio_threads::prelude::*;
-
-/// A model solution that was tried, with its sets of peculiarities.
-type Tried = (Candidate, Vec<Hypothesis>);
 
 /// What is tried with one set of roles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -116,7 +111,7 @@ pub(super) fn first_conclusion<'a>(
         }
     }
     let all: Vec<_> = wrong.iter().chain(&others).zip(&unexplained).collect();
-    let by_pairs = |((one, seen), tried): &(&(Diagnosing<'_>, Seen), &Vec<Tried>)| {
+    let by_pairs = |((one, seen), tried): &(&(Diagnosing<'_>, Seen), &Vec<TriedModel>)| {
         one.explaining(&one.scenes, &Budget::default(), |explainer| explainer.by_pairs(tried, seen))
     };
     // The first alone: it is often the one.

@@ -54,12 +54,15 @@ const MOST_COARSE: usize = 500;
 /// peculiarities such pairs are tried. The first are few, and the likeliest.
 const SUSPECTS_OF_PAIRS: [(usize, usize, usize); 3] = [(2, usize::MAX, usize::MAX), (1, usize::MAX, 8), (0, 1, 2)];
 
+/// A model solution that was tried, with its sets of peculiarities, the likeliest first.
+pub(super) type TriedModel = (Candidate, Vec<Hypothesis>);
+
 /// The result of single mistakes.
 pub(crate) enum Singly {
     /// The mistakes, alternatives of each other; none if too many explain the picture.
     Explained(Vec<Explanation>),
-    /// The model solutions that were tried, each with its sets of peculiarities, the likeliest first.
-    Unexplained(Vec<(Candidate, Vec<Hypothesis>)>),
+    /// The model solutions that were tried.
+    Unexplained(Vec<TriedModel>),
 }
 
 impl Explainer<'_> {
@@ -109,7 +112,7 @@ impl Explainer<'_> {
                 }
             }
         }
-        let unexplained: Vec<(Candidate, Vec<Hypothesis>)> = unexplained.into_iter().zip(sets_of).collect();
+        let unexplained: Vec<TriedModel> = unexplained.into_iter().zip(sets_of).collect();
         for method in self.methods {
             if !found.is_empty() {
                 break;
@@ -163,20 +166,21 @@ impl Explainer<'_> {
         seen: &Seen,
         is_asked: impl Fn(&Candidate, &Hypothesis) -> bool,
     ) -> Vec<Explanation> {
+        let is_white = is_white(seen);
+        // A white picture does not tell how strong the light is.
+        let required = self.required.map(|is_required| [if is_required { 1.0 } else { 0.0 }; 3]);
         let mut found = Vec::new();
         for candidate in candidates {
+            let is_open = |term: usize| candidate.fine.open().contains(&term);
+            let strengths = std::array::from_fn(|term| is_open(term).then_some(required[term]));
             let asked: Vec<&Hypothesis> = candidate.wrong().filter(|single| is_asked(candidate, single)).collect();
             for set in candidate.peculiarities(self.is_likely) {
                 let makes_white = |both: &Hypothesis| {
                     candidate.is_white(both, self.required) && !candidate.is_white(&set, self.required)
                 };
                 let both = asked.iter().filter_map(|single| set.and(single));
-                // A white picture does not tell how strong the light is.
-                let required = self.required.map(|is_required| [if is_required { 1.0 } else { 0.0 }; 3]);
-                let is_open = |term: usize| candidate.fine.open().contains(&term);
-                let strengths = std::array::from_fn(|term| is_open(term).then_some(required[term]));
                 found.extend(both.filter_map(|both| {
-                    match is_white(seen) {
+                    match is_white {
                         true => (makes_white(&both) && candidate.is_in_place(seen, &both))
                             .then(|| candidate.explained(&both, strengths)),
                         false => {
@@ -196,11 +200,7 @@ impl Explainer<'_> {
     ///
     /// # Errors
     /// There is no test scene.
-    pub fn by_pairs(
-        &self,
-        unexplained: &[(Candidate, Vec<Hypothesis>)],
-        seen: &Seen,
-    ) -> Result<Vec<Explanation>, String> {
+    pub fn by_pairs(&self, unexplained: &[TriedModel], seen: &Seen) -> Result<Vec<Explanation>, String> {
         let mut found = Vec::new();
         let candidates: Vec<(&Candidate, &[Hypothesis], AtFew, Vec<WrongOfPair<'_>>)> = unexplained
             .iter()

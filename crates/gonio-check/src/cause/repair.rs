@@ -160,10 +160,6 @@ impl Observer<'_> {
         contains_any: &dyn Fn(&Observed, &[&str]) -> bool,
     ) -> Vec<Repair> {
         let (model, seen) = (self.model, &observed[of]);
-        let text = |o: &Observed| {
-            let span = self.runner.program.stage(o.stage).source.expressions[o.expr.0 as usize].span;
-            (span.start, span.end)
-        };
         let mut all = Vec::new();
         let known: Vec<&Quantity> = (model.quantities.iter())
             .filter(|q| q.stage == seen.stage && q.mistake.is_some() && q.values.is_same(&seen.values))
@@ -176,7 +172,7 @@ impl Observer<'_> {
         }
         let fits = |q: &Quantity| !has_space(&q.name) || q.space == space;
         let is_right = seen.is.is_some_and(|is| fits(&model.quantities[is]));
-        let length = (text(seen).1 - text(seen).0) as f32;
+        let length = self.text(seen).len() as f32;
         let is_literal = self.is_literal(seen) || self.is_zero(seen);
         let is_compared = self.runner.program.is_compared(seen.stage, seen.expr);
         // `vec3(ambient)` is as right as the number, and may only lack a colour.
