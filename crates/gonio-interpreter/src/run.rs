@@ -482,4 +482,25 @@ mod tests {
         assert_eq!([0, 1, 2].map(|component| r.float(component, 0)), [1.0 / 0.6875, 4.0, 2.0]);
         assert_eq!(result.anomalies.len(), 1, "one corner never wrote `never`");
     }
+
+    #[test]
+    fn members_of_varyings_take_locations_of_their_own() {
+        let members = "struct Members { mat2 m; vec3 a; float b[2]; vec3 c; };\n";
+        let vertex = format!(
+            "#version 450 core\n{members}layout(location = 1) out Members from;\nlayout(location = 8) out Block {{ vec3 d; vec3 e; }} to;\n\
+             void main() {{ gl_Position = vec4(0.0); }}"
+        );
+        let fragment = format!(
+            "#version 450 core\n{members}layout(location = 1) in Members into;\nlayout(location = 8) in Other {{ vec3 d; vec3 e; }} other;\n\
+             out vec4 r;\nvoid main() {{ r = vec4(into.c, other.e.x); }}"
+        );
+        let (vertex, fragment) = (compiled(Stage::Vertex, &vertex), compiled(Stage::Fragment, &fragment));
+        let pairs = varyings(&vertex, &fragment);
+        let pairs = pairs.iter().map(|v| (&*vertex.outputs[v.output].name, &*fragment.inputs[v.input].name));
+        let expected = [("m", "m"), ("a", "a"), ("b", "b"), ("c", "c")];
+        let mut expected: Vec<(String, String)> =
+            expected.iter().map(|(a, b)| (format!("from.{a}"), format!("into.{b}"))).collect();
+        expected.extend(["d", "e"].map(|name| (format!("Block.{name}"), format!("Other.{name}"))));
+        assert_eq!(pairs.map(|(a, b)| (a.to_owned(), b.to_owned())).collect::<Vec<_>>(), expected);
+    }
 }

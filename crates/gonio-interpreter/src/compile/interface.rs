@@ -92,13 +92,20 @@ impl Compiler<'_> {
 
     /// Lists the members of a block with an instance name, each with its own qualifiers.
     fn members(&mut self, block: &InterfaceBlock, whole: &Variable, of: &str, storage: Storage) -> Result<()> {
+        let mut location = exposed(&block.qualifiers, block.span).location;
         for member in &block.members {
             for declarator in &member.declarators {
                 let Some((offset, ty)) = self.layouts.member(of, &declarator.name) else { continue };
                 let part = Variable { reg: whole.reg + offset, ty, traced: whole.traced };
-                let qualifiers = [&block.qualifiers[..], &member.qualifiers[..]].concat();
+                let qualifiers = [&member.qualifiers[..], &block.qualifiers[..]].concat();
                 let name = format!("{}.{}", block.name, declarator.name);
-                self.expose(&name, &part, storage, false, &exposed(&qualifiers, declarator.span))?;
+                let own = exposed(&member.qualifiers, declarator.span).location;
+                location = own.or(location);
+                let exposed = Exposed { location, ..exposed(&qualifiers, declarator.span) };
+                self.expose(&name, &part, storage, false, &exposed)?;
+                let all = self.layouts.parts(&name, &part.ty);
+                let taken = all.iter().map(|part| locations(&part.ty, part.count)).sum::<i32>();
+                location = location.map(|first| first + taken);
             }
         }
         Ok(())
@@ -123,16 +130,19 @@ impl Compiler<'_> {
             Storage::Buffer => return Err(unsupported("a `buffer`", exposed.span.unwrap_or_default())),
             Storage::None | Storage::Const => return Ok(()),
         };
+        let mut location = exposed.location;
         for part in self.layouts.parts(name, &variable.ty) {
             let each = self.size(&part.ty, exposed.span.unwrap_or_default())?;
             let index = self.inputs.len() as u32;
+            let own = location;
+            location = location.map(|first| first + locations(&part.ty, part.count));
             self.inputs.push(StageInput {
                 name: part.name,
                 ty: part.ty,
                 count: part.count,
                 rate,
                 interpolation: exposed.interpolation.clone(),
-                location: exposed.location,
+                location: own,
                 span: exposed.span,
                 reg: variable.reg + part.offset,
                 size: each * part.count,
@@ -144,14 +154,17 @@ impl Compiler<'_> {
     }
 
     fn expose_output(&mut self, name: &str, variable: &Variable, exposed: &Exposed) {
+        let mut location = exposed.location;
         for part in self.layouts.parts(name, &variable.ty) {
             let each = self.layouts.size(&part.ty).unwrap_or(0);
+            let own = location;
+            location = location.map(|first| first + locations(&part.ty, part.count));
             self.outputs.push(StageOutput {
                 name: part.name,
                 ty: part.ty,
                 count: part.count,
                 interpolation: exposed.interpolation.clone(),
-                location: exposed.location,
+                location: own,
                 span: exposed.span,
                 reg: variable.reg + part.offset,
                 size: each * part.count,
@@ -205,6 +218,13 @@ impl Compiler<'_> {
         let storage = if is_per_point(name) { Storage::In } else { Storage::Uniform };
         self.expose(name, &variable, storage, false, &exposed)
     }
+}
+
+/// The locations that a variable takes: one for each vector, or column of a matrix.
+fn locations(ty: &Type, count: u32) -> i32 {
+    let written = ty.written();
+    let columns = written.strip_prefix("mat").or(written.strip_prefix("dmat")).and_then(|rest| rest.chars().next());
+    (columns.and_then(|digit| digit.to_digit(10)).unwrap_or(1) * count) as i32
 }
 
 fn exposed(qualifiers: &[Qualifier], span: Span) -> Exposed {
