@@ -4,7 +4,9 @@ use crate::driver_log::{self, DriverMessage};
 use crate::submission::StageText;
 use crate::verdict::{CompilerMessage, Outcome, Verdict};
 use gonio_gl::Gl;
-use gonio_glsl::{Checked, Limit, Lookup, LoopBound, OutputVersion, Parsed, Problem, Severity, Stage, Translated};
+use gonio_glsl::{
+    Checked, Limit, Lookup, LoopBound, OutputVersion, Parsed, Problem, Severity, Stage, Translated, Variable,
+};
 use gonio_language::tr;
 use gonio_render::user_program::{BrokenProgram, UserProgram};
 
@@ -80,7 +82,7 @@ pub fn compile(gl: &Gl, vertex: &ParsedStage<'_>, fragment: &ParsedStage<'_>) ->
         let log = |stage: &ParsedStage<'_>| stage.refusal().map(|problem| problem.message.clone());
         return Err(BrokenProgram { vertex_log: log(vertex), fragment_log: log(fragment), ..BrokenProgram::default() });
     }
-    let program = UserProgram::new(gl, &vertex.translated.text, &fragment.translated.text)?;
+    let program = UserProgram::new(gl, &vertex.translated.text, &with_names_of(vertex, fragment))?;
     // The translation may have corrected an error that every compiler reports in the student's own text.
     if !vertex.is_accepted() || !fragment.is_accepted() {
         UserProgram::new(gl, &vertex.text.text, &fragment.text.text)?;
@@ -94,6 +96,45 @@ pub fn compile(gl: &Gl, vertex: &ParsedStage<'_>, fragment: &ParsedStage<'_>) ->
         (None, None) => Ok(program),
         (vertex_log, fragment_log) => Err(BrokenProgram { vertex_log, fragment_log, ..BrokenProgram::default() }),
     }
+}
+
+/// The fragment shader with the names of the vertex shader's outputs for inputs that have only a location in common with
+/// them: the translation's version has no locations between the stages.
+fn with_names_of(vertex: &ParsedStage<'_>, fragment: &ParsedStage<'_>) -> String {
+    let text = &fragment.translated.text;
+    let outputs = &vertex.checked.interface.outputs;
+    let same = |input: &Variable| {
+        let output = outputs.iter().find(|output| output.location.is_some() && output.location == input.location)?;
+        (output.name != input.name).then(|| (input.name.clone(), output.name.clone()))
+    };
+    let same: Vec<(String, String)> = fragment.checked.interface.inputs.iter().filter_map(same).collect();
+    // Another variable may have the name, unless it gets a new one too.
+    let is_free =
+        |(_, new): &&(String, String)| same.iter().any(|(old, _)| old == new) || !words(text).any(|word| word == new);
+    let renamed: Vec<&(String, String)> = same.iter().filter(is_free).collect();
+    if renamed.is_empty() {
+        return text.clone();
+    }
+    let (mut changed, mut after_point) = (String::with_capacity(text.len()), false);
+    for word in words(text) {
+        let new = renamed.iter().find(|(old, _)| *old == word && !after_point);
+        changed.push_str(new.map_or(word, |(_, new)| new));
+        after_point = word.trim_end().ends_with('.');
+    }
+    changed
+}
+
+/// The names in a text, and what is between them.
+fn words(text: &str) -> impl Iterator<Item = &str> {
+    let is_of_name = |c: char| c.is_alphanumeric() || c == '_';
+    let mut rest = text;
+    std::iter::from_fn(move || {
+        let is_name = is_of_name(rest.chars().next()?);
+        let end = rest.find(|c: char| is_of_name(c) != is_name).unwrap_or(rest.len());
+        let (word, after) = rest.split_at(end);
+        rest = after;
+        Some(word)
+    })
 }
 
 /// Problems that Mesa does not report: `texture2D` in `#version 300 es` (GLSL ES 3.00, section 8.8, has no such

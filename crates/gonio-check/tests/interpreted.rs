@@ -12,7 +12,7 @@ use gonio_check::compile::{ParsedStage, compile};
 use gonio_check::roles::{self, NamesFile, VariableKind};
 use gonio_check::submission::{StageText, Submission};
 use gonio_check::testbench::{
-    CUBEMAP_UNIT, SKY_SIDE, TILE, TestMesh, TestScene, WHITE_UNIT, numbers_of_array, sky_faces, stream_of, unit,
+    CUBEMAP_UNIT, SKY_SIDE, TILE, TestMesh, TestScene, WHITE_UNIT, numbers_of, sky_faces, stream_of, unit,
 };
 use gonio_fixtures::{FixtureTable, selected};
 use gonio_gl::{Gl, HeadlessContext};
@@ -400,7 +400,7 @@ fn uniforms(program: &UserProgram, pair: &Pair, scene: &TestScene) -> Vec<(Strin
         let numbers = match unit(&name, &ty) {
             _ if given.is_some() => given,
             Some(unit) => Some(vec![unit as f32; variable.array as usize]),
-            None => fixed.or_else(|| numbers_of_array(role?.role, &ty, variable.array, scene)),
+            None => fixed.or_else(|| numbers_of(&bindings, role?, scene)),
         };
         found.extend(numbers.map(|numbers| (name, ty, numbers)));
     }

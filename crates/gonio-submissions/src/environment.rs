@@ -121,7 +121,7 @@ impl Writer<'_> {
             "reflection-vector-reversed",
             "refraction-instead-of-reflection",
             "formula-without-2",
-            "reflect-swapped",
+            "reflection-arguments-swapped",
         ]);
         match slip {
             Some("reflection-vector-reversed") => Expr::call("reflect", &[view, normal]),

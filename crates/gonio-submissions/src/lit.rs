@@ -243,7 +243,7 @@ impl Writer<'_> {
             "light-direction-minus-normal",
             "light-position-as-direction",
             "light-from-eye",
-            "light-plus-position",
+            "light-direction-plus-position",
         ]);
         let position = surface.position.clone().unwrap_or_else(|| to_light.clone());
         let unit = |value: &Expr| Expr::call("normalize", &[value]);
@@ -262,7 +262,7 @@ impl Writer<'_> {
                     "light-direction-reversed" => unit(&position.sub(&place)),
                     "light-direction-minus-normal" => unit(&place.sub(&surface.normal)),
                     "light-position-as-direction" => unit(&place),
-                    "light-plus-position" => unit(&place.add(&position)),
+                    "light-direction-plus-position" => unit(&place.add(&position)),
                     _ => {
                         let eye = self.eye().unwrap_or_else(|| Expr::atom("vec3(0.0)"));
                         unit(&place.sub(&eye))

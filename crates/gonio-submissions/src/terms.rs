@@ -135,10 +135,11 @@ impl Writer<'_> {
             let half = self.variable(block, "H", "vec3", &value.at(Site::Mirror));
             return (n.clone(), half);
         }
-        let slip = self.slip(&["specular-reflect-sign", "reflect-swapped", "formula-without-2", "formula-plus"]);
+        let slip =
+            self.slip(&["specular-reflect-sign", "specular-reflect-swapped", "formula-without-2", "formula-plus"]);
         let (value, other) = match (slip, self.context.plan.mirror) {
             (Some("specular-reflect-sign"), _) => (Expr::call("reflect", &[l, n]), e.clone()),
-            (Some("reflect-swapped"), _) => (Expr::call("reflect", &[n, &l.neg()]), e.clone()),
+            (Some("specular-reflect-swapped"), _) => (Expr::call("reflect", &[n, &l.neg()]), e.clone()),
             (Some("formula-without-2"), _) => (Expr::call("dot", &[n, l]).mul(n).sub(l), e.clone()),
             (Some(_), _) => (two.mul(&Expr::call("dot", &[n, l])).mul(n).add(l), e.clone()),
             (None, Mirror::Reflect) => (Expr::call("reflect", &[&l.neg(), n]), e.clone()),

@@ -53,11 +53,34 @@ const ATTENUATION: [Role; 3] =
 /// Most matrices whose roles are tried together.
 const MOST_MATRICES: usize = 4;
 
+/// The roles of a colour that may instead be three strengths.
+const STRENGTHS: [Role; 2] = [Role::LightColor(0), Role::Strengths(0)];
+/// Those of a vector whose components are only read one by one.
+const PACKED: [Role; 3] = [Role::Strengths(0), Role::Attenuation(0), Role::MaterialColor];
+/// Those of one that is also read as a vector.
+const PACKED_OR_VECTOR: [Role; 6] = [
+    Role::MaterialColor,
+    Role::LightPos(0),
+    Role::ViewPos,
+    Role::LightPosInView(0),
+    Role::Strengths(0),
+    Role::Attenuation(0),
+];
+
 /// The roles that an input may have: the name alone does not tell the space of a normal matrix.
-fn candidates(bound: &Bound) -> &'static [Role] {
+fn candidates(program: &Program, bound: &Bound) -> &'static [Role] {
     let is_named = bound.how == How::Name;
+    let packed = program.packed.iter().find(|(name, _)| *name == bound.declared.name);
     match bound.role {
         _ if bound.how == How::NamesFile => &[],
+        Role::LightColor(0) | Role::Strengths(0) if packed.is_some_and(|(_, is_vector)| *is_vector) => &STRENGTHS,
+        _ if let (Some((_, is_vector)), false) = (packed, is_named) => {
+            if *is_vector {
+                &PACKED_OR_VECTOR
+            } else {
+                &PACKED
+            }
+        }
         _ if lights::is_open(bound) && (is_named || bound.declared.array > 1) => &[],
         _ if bound.declared.name.starts_with("gl_") => &[],
         _ if is_named && has_open_normals(bound) => &NORMALS,
@@ -97,7 +120,11 @@ pub fn is_open(program: &Program) -> bool {
     let is_uniform = |kind: VariableKind| kind == VariableKind::Uniform;
     let mut unknown = program.bindings.unknown.iter();
     unknown.any(|declared| is_uniform(declared.kind) && !of_type(&declared.glsl_type).is_empty())
-        || program.bindings.bound.iter().any(|bound| is_uniform(bound.declared.kind) && !candidates(bound).is_empty())
+        || program
+            .bindings
+            .bound
+            .iter()
+            .any(|bound| is_uniform(bound.declared.kind) && !candidates(program, bound).is_empty())
         || program.bindings.bound.iter().any(lights::is_open)
         || influence::has_doubles(program)
         || lights::may_be_directions(program)
@@ -148,7 +175,9 @@ fn assign_uniforms(program: &mut Program, scorer: &Scorer<'_>) {
     let mut bound: Vec<Bound> = program.bindings.bound.clone();
     bound.extend(unknown);
     let is_open = |bound: &Bound| {
-        bound.declared.kind == VariableKind::Uniform && bound.declared.array <= 1 && !candidates(bound).is_empty()
+        bound.declared.kind == VariableKind::Uniform
+            && bound.declared.array <= 1
+            && !candidates(program, bound).is_empty()
     };
     let open: Vec<usize> = (0..bound.len()).filter(|index| is_open(&bound[*index])).collect();
     // The only vector is the light's position more often than a colour, and with it the matrices show more values.
@@ -201,13 +230,13 @@ fn assign_uniforms(program: &mut Program, scorer: &Scorer<'_>) {
             let is_exponent = is_exponent(program, &bound[*index].declared.name);
             let mut usual = if is_exponent { Role::Shininess } else { program.bindings.bound[*index].role };
             program.bindings.bound[*index].role = usual;
-            if NUMBERS.contains(&usual) || VECTORS.contains(&usual) {
+            if NUMBERS.contains(&usual) || VECTORS.contains(&usual) || PACKED.contains(&usual) {
                 let is_taken = |role: &Role| {
                     let others = program.bindings.bound.iter().enumerate().filter(|(other, _)| other != index);
                     others.into_iter().any(|(_, bound)| bound.role == *role)
                 };
                 if is_taken(&usual) {
-                    let mut all = of_type(&bound[*index].declared.glsl_type).iter().copied();
+                    let mut all = candidates(program, &bound[*index]).iter().copied();
                     usual = all.find(|role| !is_taken(role)).unwrap_or(usual);
                     program.bindings.bound[*index].role = usual;
                 }
@@ -227,7 +256,7 @@ fn assign_uniforms(program: &mut Program, scorer: &Scorer<'_>) {
                 };
                 !program.bindings.bound.iter().enumerate().any(is_other)
             };
-            let roles: Vec<Role> = candidates(&bound[*index]).iter().filter(is_free).copied().collect();
+            let roles: Vec<Role> = candidates(program, &bound[*index]).iter().filter(is_free).copied().collect();
             let score = |role: &Role| {
                 let mut other = program.clone();
                 other.bindings.bound[*index].role = *role;
@@ -251,7 +280,8 @@ fn assign_uniforms(program: &mut Program, scorer: &Scorer<'_>) {
     }
     if (scorer.is_in_place(program), scorer.score(program)) <= before {
         // An exponent is one by its use, and the only vector is the light, even if no value becomes right with it.
-        let is_new = |bound: &Bound| known.iter().all(|other| other.declared != bound.declared);
+        let is_new =
+            |bound: &Bound| known.iter().all(|other| other.declared != bound.declared || other.role == Role::Tint);
         let is_shown = |bound: &&Bound| {
             bound.role == Role::Shininess && is_new(bound) && is_exponent(program, &bound.declared.name)
         };
@@ -259,7 +289,10 @@ fn assign_uniforms(program: &mut Program, scorer: &Scorer<'_>) {
         let exponent = if has_one { None } else { program.bindings.bound.iter().find(is_shown).cloned() };
         let light = only.map(|only| bound[only].clone()).filter(|light| scorer.is_lit && is_new(light));
         program.bindings.bound = known;
-        program.bindings.bound.extend(exponent.into_iter().chain(light));
+        for found in exponent.into_iter().chain(light) {
+            program.bindings.bound.retain(|bound| bound.declared != found.declared);
+            program.bindings.bound.push(found);
+        }
     }
     program.declared.adopt(&program.bindings);
     let bound = &program.bindings.bound;
@@ -334,10 +367,17 @@ fn choose_each_matrix(program: &mut Program, scorer: &Scorer<'_>, matrices: &[us
 
 /// Whether an input is the second argument of `pow`.
 fn is_exponent(program: &Program, name: &str) -> bool {
+    let name = program.in_text(name);
+    // A last component has several names.
+    let vector = name.strip_suffix(".w");
+    let is_it = |exponent: &str| {
+        let of_vector = |vector| exponent.strip_prefix(vector).is_some_and(|last| matches!(last, ".w" | ".a" | ".q"));
+        exponent == name || vector.is_some_and(of_vector)
+    };
     STAGES.into_iter().any(|stage| {
         program.numbers(stage).into_iter().any(|expr| {
             let arguments = program.text(stage, expr).strip_prefix("pow").and_then(|text| text.strip_suffix(')'));
-            arguments.and_then(|text| text.rsplit_once(',')).is_some_and(|(_, exponent)| exponent.trim() == name)
+            arguments.and_then(|text| text.rsplit_once(',')).is_some_and(|(_, exponent)| is_it(exponent.trim()))
         })
     })
 }

@@ -86,6 +86,11 @@ pub(super) fn first_conclusion<'a>(
     if let (DiagnosisDepth::Right, Some((first, _))) = (depth, wrong.first()) {
         return Ok(first.diagnosis(Found::Nothing, methods(first.task)[0]));
     }
+    let unknown = |one: &Diagnosing<'_>| one.program.bindings.unknown.len();
+    let fewest = wrong.iter().map(|(one, _)| unknown(one)).min();
+    // Without a light, which has no role, every picture is flat, and explained by a mistake that takes the light away.
+    let may_be_flat = |one: &Diagnosing<'_>| fewest.is_none_or(|fewest| unknown(one) <= fewest);
+    wrong.retain(|(one, seen)| may_be_flat(one) || !one.task.model.is_lit() || !is_black(seen) && !is_flat(seen));
     let budget = Budget::default();
     let mut unexplained = Vec::new();
     for (one, seen) in &wrong {
@@ -95,8 +100,6 @@ pub(super) fn first_conclusion<'a>(
         }
     }
     // A mistake may hide the space of the normals and of the light. With fewer known roles, most terms are black.
-    let unknown = |one: &Diagnosing<'_>| one.program.bindings.unknown.len();
-    let fewest = wrong.iter().map(|(one, _)| unknown(one)).min();
     others.retain(|(one, _)| fewest.is_none_or(|fewest| unknown(one) <= fewest));
     let left = budget.left();
     let singly = in_batches(&others, |(one, seen)| {

@@ -32,10 +32,11 @@ pub(super) fn other_conventions(program: &Program) -> Vec<Program> {
 /// The names of the exercise, in which V has the translation of the camera.
 const EXERCISE_NAMES: [&str; 4] = ["position", "V", "P", "cubemapSampler"];
 
-/// A sky whose view matrix has no translation: many programs remove it before they set the matrix. `None` if the names are
-/// those of the exercise, which sets V as it is.
+/// A sky whose view matrix has no translation: many programs remove it before they set the matrix. `None` if the matrices have
+/// the names of the exercise, which sets V as it is.
 pub(super) fn without_translation(program: &Program) -> Option<Program> {
     let is_own = |bound: &Bound| EXERCISE_NAMES.contains(&bound.declared.name.as_str());
+    let is_matrix = |bound: &&Bound| bound.declared.glsl_type.starts_with("mat");
     let mut other = program.clone();
     for bound in other.bindings.bound.iter_mut().filter(|bound| bound.how != How::NamesFile) {
         bound.role = match bound.role {
@@ -44,5 +45,6 @@ pub(super) fn without_translation(program: &Program) -> Option<Program> {
             role => role,
         };
     }
-    (other.bindings != program.bindings && !program.bindings.bound.iter().all(is_own)).then_some(other)
+    (other.bindings != program.bindings && !program.bindings.bound.iter().filter(is_matrix).all(is_own))
+        .then_some(other)
 }

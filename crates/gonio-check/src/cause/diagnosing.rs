@@ -21,7 +21,7 @@ use super::shown::Shown;
 use super::solutions::ModelSolutions;
 use super::target::{Highlight, RightPicture, Seen};
 use crate::comparison::{Lights, Parameterisation, Second, Task};
-use crate::mistakes::Hypothesis;
+use crate::mistakes::{Hypothesis, ModelSolution};
 use crate::roles::NamesFile;
 use crate::testbench::TestScene;
 use gonio_glsl::{Checked, Parsed, Span, Stage};
@@ -100,6 +100,7 @@ impl Diagnosing<'_> {
             fixes: Vec::new(),
             unused_terms: [false; 3],
             has_steps: false,
+            has_own_depth: false,
         }
     }
 
@@ -134,10 +135,23 @@ impl Diagnosing<'_> {
                 let found = self.diagnosis(Found::Right(agreement), method);
                 let unused_terms = self.unused_terms(method, strengths)?;
                 let light_places = self.light_places(method, &Hypothesis::default(), strengths)?;
-                return Ok(Some(Diagnosis { lights, strengths, unused_terms, light_places, ..found }));
+                let has_own_depth = self.task.model == ModelSolution::Skybox && self.has_own_depth();
+                return Ok(Some(Diagnosis { lights, strengths, unused_terms, light_places, has_own_depth, ..found }));
             }
         }
         Ok(None)
+    }
+
+    /// Whether what is drawn is nearer than the largest depth, which is 1 after the division by w.
+    fn has_own_depth(&self) -> bool {
+        const LEAST: f32 = 0.999;
+        let Some((_, first)) = self.scenes.first() else { return false };
+        let runner = Runner::new(self.program, std::slice::from_ref(first));
+        let Some(position) = runner.start(0).output(&self.program.vertex, "gl_Position") else { return false };
+        (0..first.vertices()).any(|vertex| {
+            let (z, w) = (position.float(2, vertex), position.float(3, vertex));
+            w > 0.0 && z / w < LEAST
+        })
     }
 
     /// Where the sum of all light is computed, if it is in another stage or a term is absent.
@@ -174,7 +188,7 @@ impl Diagnosing<'_> {
         for explanation in explanations {
             // With a second light that is off, or wrong, the scenes are those of both.
             let scenes = match explanation.lights {
-                Lights::WrongInSecond | Lights::Second => &self.scenes[self.of_one..],
+                Lights::WrongInSecond | Lights::Second | Lights::SecondOneAmbient => &self.scenes[self.of_one..],
                 _ => &self.scenes[..self.of_one],
             };
             let samples: Vec<SceneSamples> = scenes.iter().map(|(_, samples)| samples.clone()).collect();

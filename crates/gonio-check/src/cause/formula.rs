@@ -407,13 +407,13 @@ impl Writer<'_> {
     /// The text of an input: of an array, the element with the index that is used at this place, or the first.
     fn element(&self, declared: &Declared) -> String {
         let index = || self.scopes.index_at(self.place).unwrap_or("0");
-        let name = declared.name.as_str();
+        let name = self.program.in_text(&declared.name);
         if declared.array > 1 {
             return format!("{name}[{}]", index());
         }
         match name.split_once("[0]") {
             Some((array, member)) => format!("{array}[{}]{member}", index()),
-            None => name.to_owned(),
+            None => name.into_owned(),
         }
     }
 

@@ -112,6 +112,8 @@ pub struct Diagnosis {
     pub unused_terms: [bool; 3],
     /// Whether a right program draws diffuse light in steps.
     pub has_steps: bool,
+    /// Whether a right skybox is drawn at its own depth instead of the largest one.
+    pub has_own_depth: bool,
 }
 
 /// Most statements of one scene, all points together; the exercises' own answers have about 3,000.

@@ -5,13 +5,13 @@ use super::observed::{Observed, Observer, SCALED, SUMS, TERMS, is_name};
 use super::program::Change;
 use super::proven_cause::ProvenCause;
 use super::ranking::Ranking;
-use super::repair::{Make, Repair};
+use super::repair::{Make, Relation, Repair};
 use super::right_change::RightChange;
 use super::symptoms::Symptoms;
 use super::words;
 use crate::mistakes::{Mistake, ModelSolution};
 use crate::roles::is_about;
-use gonio_glsl::Stage;
+use gonio_glsl::{Span, Stage};
 
 /// Most proven repairs that are named.
 const MOST_NAMED: usize = 40;
@@ -63,6 +63,41 @@ impl Observer<'_> {
         is_name(name) && all.filter(|expr| program.text(seen.stage, *expr) == name).count() == 1
     }
 
+    /// The assignment by which a variable gets a wrong value, `x *= y`, if an expression reads that variable; with whether it
+    /// had the right value before.
+    fn compound_assignment(&self, observed: &[Observed], seen: &Observed, repair: &Repair) -> Option<(Span, bool)> {
+        let (program, name) = (self.runner.program, self.text(seen));
+        let right = &self.model.quantities[repair.quantity()?].values;
+        let of_variable = || observed.iter().filter(|other| other.stage == seen.stage && other.expr < seen.expr);
+        let is_compound = |other: &&Observed| {
+            let changed = self.text(other).strip_prefix(name).map(str::trim_start);
+            let is_changed =
+                changed.is_some_and(|rest| rest.get(1..2) == Some("=") && rest.starts_with(['+', '-', '*', '/']));
+            is_changed && other.values.is_same(&seen.values)
+        };
+        let had_right = |other: &Observed| {
+            program.variable_set_to(other.stage, other.expr) == Some(name) && other.values.is_same(right)
+        };
+        let last = of_variable().filter(is_compound).max_by_key(|other| other.expr).filter(|_| is_name(name))?;
+        let span = program.stage(seen.stage).source.expressions[last.expr.0 as usize].span;
+        Some((span, of_variable().any(had_right)))
+    }
+
+    /// Whether an input stands where another one of its kind belongs, in what a variable is set to that is named after the
+    /// other one.
+    fn is_against_name(&self, observed: &[Observed], seen: &Observed, repair: &Repair) -> bool {
+        let Some(right) = repair.quantity().map(|q| &self.model.quantities[q]) else { return false };
+        let (meaning, other) = match right.name.as_str() {
+            "u_view_pos" => ("view", "light"),
+            "light_pos" => ("light", "view"),
+            _ => return false,
+        };
+        let program = self.runner.program;
+        let around = observed.iter().filter(|other| other.stage == seen.stage && self.is_within(seen, other));
+        let mut names = around.filter_map(|around| program.variable_set_to(around.stage, around.expr));
+        self.is_exchange(seen, Some(right)) && names.any(|name| is_about(name, meaning) && !is_about(name, other))
+    }
+
     /// Names and orders proven repairs.
     /// Mistakes that explain the picture come first.
     pub(super) fn causes(
@@ -91,6 +126,11 @@ impl Observer<'_> {
             if names.is_empty() && is_attenuation {
                 names.extend(crate::mistakes::find("attenuation-other-formula").map(|mistake| (4, mistake)));
             }
+            // A right exponent has another value.
+            let is_exponent = repair.quantity().is_some_and(|q| self.model.quantities[q].name == "shininess");
+            if names.is_empty() && is_exponent && !symptoms.is_symptom(seen, &repair) {
+                names.extend(crate::mistakes::find("specular-exponent-wrong").map(|mistake| (4, mistake)));
+            }
             let explains = |mistake: &Mistake| explaining.iter().any(|known| known.id == mistake.id);
             if names.is_empty() {
                 let all = self.of_form(observed, seen, &repair);
@@ -116,7 +156,12 @@ impl Observer<'_> {
             let is_right_elsewhere = is_term_for_sum(self, seen, &repair);
             let right = vec![RightChange::new(&repair, observed, self.model)];
             // A vector that is the last to be set without its length is where that belongs.
-            let is_only_read = self.is_only_read(seen) && !self.runner.program.is_whole_value(seen.stage, seen.expr);
+            let is_whole = self.runner.program.is_whole_value(seen.stage, seen.expr);
+            let is_only_read = self.is_only_read(seen) && !is_whole;
+            let compound = self.compound_assignment(observed, seen, &repair);
+            let spoilt_at = compound.filter(|(_, had_right)| *had_right).map(|(span, _)| (seen.stage, span));
+            let set_at = compound.filter(|_| repair.relation == Relation::Known).map(|(span, _)| (seen.stage, span));
+            let is_against_name = self.is_against_name(observed, seen, &repair);
             let Repair { relation, make, cost, .. } = repair;
             let least = names.first().map_or(0, |(distance, _)| *distance);
             all.push(ProvenCause {
@@ -137,6 +182,10 @@ impl Observer<'_> {
                 is_computed_elsewhere: symptoms.is_symptom(seen, &repair),
                 is_given: seen.is_given(),
                 is_only_read,
+                is_whole,
+                spoilt_at,
+                set_at,
+                is_against_name,
                 is_right_elsewhere,
                 repair,
                 also: Vec::new(),

@@ -25,6 +25,9 @@ const SUM: &str = "lit";
 /// What is computed from whole terms.
 const OF_TERMS: [&str; 5] = ["diffuse_light", "specular_light", "lit", "colour", "FragColor"];
 
+/// Mistakes with the half vector, which no variable of the model solutions holds.
+const OF_HALF_VECTOR: [&str; 2] = ["half-vector-not-normalised", "half-vector-of-unequal-vectors"];
+
 /// The position on the screen.
 const POSITION: &str = "gl_Position";
 
@@ -47,6 +50,8 @@ pub struct MistakePlace {
     pub is_given: bool,
     /// Whether the mistake is made in the sum of all terms, and in no other.
     pub is_sum: bool,
+    /// Whether it is a wrong vector, from which the value of the mistake is computed.
+    pub is_vector: bool,
 }
 
 /// The wrong values of one of the mistakes of a hypothesis.
@@ -84,6 +89,42 @@ fn assigned(
     let seen = observe(&runner, &[], 0..samples.len(), [&exprs[0], &exprs[1]]);
     let named = |seen: Recorded| Some((program.variable(seen.stage, seen.expr)?.to_owned(), seen));
     Ok(seen.into_iter().filter_map(named).collect())
+}
+
+/// The vectors that a model solution computes, with a hypothesis.
+fn vectors(
+    solutions: &ModelSolutions,
+    (model, hypothesis): (ModelSolution, &Hypothesis),
+    samples: &[SceneSamples],
+    exponent: f32,
+) -> Result<Vec<Recorded>, String> {
+    let texts = solutions.hypotheses(model).written(hypothesis);
+    let solution = solutions.program(&texts, exponent)?;
+    let exprs = STAGES.map(|stage| solution.program.numbers(stage));
+    let mut seen = observe(&Runner::new(&solution.program, samples), &[], 0..samples.len(), [&exprs[0], &exprs[1]]);
+    seen.retain(|seen| seen.values.size == 3);
+    Ok(seen)
+}
+
+/// The expression that computes the last unit vector that only the model solution with the mistake has, the first of these two.
+fn new_vector<'a>(
+    program: &Program,
+    observed: &'a [Recorded],
+    [wrong, right]: [Result<Vec<Recorded>, String>; 2],
+) -> Result<Option<&'a Recorded>, String> {
+    let (wrong, right) = (wrong?, right?);
+    let is_new = |one: &&Recorded| {
+        let is_it = |other: &Recorded| other.stage == one.stage && other.values.is_same(&one.values);
+        one.values.unit().is_same(&one.values) && !right.iter().any(is_it)
+    };
+    let Some(last) = wrong.iter().filter(is_new).max_by_key(|one| one.order) else { return Ok(None) };
+    let is_it = |seen: &&Recorded| {
+        let is_read = is_name(program.text(seen.stage, seen.expr));
+        seen.stage == last.stage && !is_read && seen.values.is_same(&last.values)
+    };
+    let is_set = |seen: &&Recorded| program.is_whole_value(seen.stage, seen.expr);
+    let all = || observed.iter().filter(is_it);
+    Ok(all().filter(is_set).min_by_key(|seen| seen.order).or_else(|| all().min_by_key(|seen| seen.order)))
 }
 
 /// The first place of each mistake of an explanation, as far as the program shows one.
@@ -149,7 +190,17 @@ pub(super) fn places(
         };
         let of_direct = || first(&direct).map(|seen| (seen, true)).or_else(constant);
         let of_after = || first(&after).map(|seen| (seen, false));
-        let place = put_out.map(|seen| (seen, true)).or_else(|| match is_right_elsewhere {
+        let vector = match OF_HALF_VECTOR.contains(&mistake.id.as_str()) {
+            true => new_vector(
+                program,
+                &observed,
+                [&explanation.hypothesis, &others]
+                    .map(|hypothesis| vectors(solutions, (model, hypothesis), &samples, exponent)),
+            )?,
+            false => None,
+        };
+        let is_vector = vector.is_some();
+        let place = vector.or(put_out).map(|seen| (seen, true)).or_else(|| match is_right_elsewhere {
             true => of_after().or_else(of_direct),
             false => of_direct().or_else(of_after),
         });
@@ -160,7 +211,7 @@ pub(super) fn places(
                         && (of.values.is_same(&seen.values) || of.values.is_scaled(&seen.values, -1.0))
                 });
             let seen = if is_given { last_copy(program, &observed, seen).unwrap_or(seen) } else { seen };
-            found.push(MistakePlace { is_sum, is_given, ..place_at(program, mistake, seen, is_direct) });
+            found.push(MistakePlace { is_sum, is_given, is_vector, ..place_at(program, mistake, seen, is_direct) });
         }
     }
     Ok(found)
@@ -208,6 +259,18 @@ fn of_lights(
     // The light of a function is added where the function is called.
     let calls = others.clone().filter(|seen| program.is_call(seen.stage, seen.expr));
     let by_order = |seen: &&Recorded| seen.order;
+    // In a loop over the lights, what is set again is lost.
+    let is_set_again = |seen: &&Recorded| {
+        let text = text(seen);
+        let operator = text.split_once('=').and_then(|(before, _)| before.trim_end().chars().last());
+        let is_plain = operator.is_some_and(|last| !"+-*/".contains(last));
+        seen.occurrence > 0 && is_assignment(text) && is_plain
+    };
+    if let (Lights::Second | Lights::SecondOneAmbient, Some(last)) =
+        (explanation.lights, observed.iter().filter(is_set_again).max_by_key(by_order))
+    {
+        return Some(place_at(program, mistake, last, true));
+    }
     let found = set.max_by_key(by_order).or_else(|| calls.max_by_key(by_order)).or_else(|| others.min_by_key(by_order));
     found.map(|seen| place_at(program, mistake, seen, true))
 }
@@ -224,13 +287,16 @@ fn place_at(program: &Program, mistake: &'static Mistake, seen: &Recorded, is_di
         is_copy: is_read && is_whole,
         is_given: false,
         is_sum: false,
+        is_vector: false,
     }
 }
 
 /// Points of a scene as the model solution of an explanation sees them.
 fn as_explained(samples: &SceneSamples, explanation: &Explanation) -> SceneSamples {
     let mut samples = samples.clone();
-    if let (Lights::WrongInSecond | Lights::Second, Some(other)) = (explanation.lights, samples.scene.other) {
+    if let (Lights::WrongInSecond | Lights::Second | Lights::SecondOneAmbient, Some(other)) =
+        (explanation.lights, samples.scene.other)
+    {
         samples.scene.light = other;
     }
     strengthen(&explanation.strengths, &mut samples.scene);

@@ -2,16 +2,15 @@
 
 use super::samples::SceneSamples;
 use super::values::Values;
-use crate::roles::{self, Bindings, Declared, NamesFile, Role, VariableKind};
-use crate::testbench::{
-    CUBEMAP_UNIT, TestScene, WHITE_UNIT, numbers_of_array, radiance, stream_of, uniform_bits, unit,
-};
+use crate::roles::{self, Bindings, Bound, Declared, How, NamesFile, Role, VariableKind, VectorReads};
+use crate::testbench::{CUBEMAP_UNIT, TestScene, WHITE_UNIT, numbers_of, radiance, stream_of, uniform_bits, unit};
 use glam::Vec3;
-use gonio_glsl::{Checked, Parsed, Scalar, Stage, Type};
+use gonio_glsl::{Checked, Item, Parsed, Scalar, Stage, TokenPlace, Type};
 use gonio_interpreter::{
     CompiledStage, ExprId, InputRate, PointValues, RunOptions, StageInput, StageInputs, StageRun, Substitute,
     TextureLookup, TextureSource, Unsupported, interpolate, run,
 };
+use std::borrow::Cow;
 use std::sync::Arc;
 
 /// A pair of shaders that the interpreter can run.
@@ -25,6 +24,10 @@ pub(crate) struct Program {
     pub bindings: Bindings,
     /// The roles of all that it declares, used or not.
     pub declared: Bindings,
+    /// The uniform vectors whose components are read one by one, and whether they are also read as vectors.
+    pub packed: Vec<(String, bool)>,
+    /// The names of uniform blocks, and what the text calls them.
+    instances: Vec<(String, String)>,
     /// The texts of both stages.
     texts: [String; 2],
 }
@@ -35,16 +38,16 @@ const MOST_WORK: u64 = 200_000;
 impl Program {
     /// Compiles a pair. Variables that a shader declares but never uses have no role.
     pub fn new(
-        (vertex, in_vertex): (&Parsed, &Checked),
-        (fragment, in_fragment): (&Parsed, &Checked),
+        (of_vertex, in_vertex): (&Parsed, &Checked),
+        (of_fragment, in_fragment): (&Parsed, &Checked),
         texts: [&str; 2],
         names: &NamesFile,
     ) -> Result<Self, (Stage, Unsupported)> {
         let compiled = |stage, parsed, checked| {
             gonio_interpreter::compile(parsed, checked).map_err(|unsupported| (stage, unsupported))
         };
-        let vertex = compiled(Stage::Vertex, vertex, in_vertex)?;
-        let fragment = compiled(Stage::Fragment, fragment, in_fragment)?;
+        let vertex = compiled(Stage::Vertex, of_vertex, in_vertex)?;
+        let fragment = compiled(Stage::Fragment, of_fragment, in_fragment)?;
         let used = |checked: &Checked, name: &str| {
             let base = name.split(['.', '[']).next().unwrap_or(name);
             let interface = &checked.interface;
@@ -75,8 +78,39 @@ impl Program {
                 }
             }
         }
-        let (bindings, declared) = (roles::bind(&active, names), roles::bind(&all, names));
-        Ok(Program { vertex, fragment, bindings, declared, texts: texts.map(str::to_owned) })
+        let (mut bindings, declared) = (roles::bind(&active, names), roles::bind(&all, names));
+        let is_vector = |declared: &&Declared| {
+            let is_single = declared.kind == VariableKind::Uniform && declared.array <= 1;
+            is_single && matches!(declared.glsl_type.as_str(), "vec3" | "vec4")
+        };
+        let tokens = tokens_of([(of_vertex, texts[0]), (of_fragment, texts[1])]);
+        let instances = [of_vertex, of_fragment].into_iter().flat_map(instances_of).collect::<Vec<_>>();
+        let mut packed = Vec::new();
+        for vector in active.iter().filter(is_vector) {
+            let reads = VectorReads::new(&tokens, &in_text(&instances, &vector.name));
+            if reads.is_packed {
+                packed.push((vector.name.clone(), reads.is_vector));
+            }
+            // The names beside them tell more than the values where there is a mistake.
+            let is_only_packed = reads.is_packed && !reads.is_vector;
+            let by_name =
+                bindings.bound.iter().find(|bound| bound.declared == *vector).map(|bound| (bound.role, bound.how));
+            if is_only_packed && by_name.is_none_or(|(role, how)| how == How::Name && role.is_colour()) {
+                bindings.unknown.retain(|unknown| unknown != vector);
+                bindings.bound.retain(|bound| bound.declared != *vector);
+                let declared = vector.clone();
+                let has_strengths = bindings.bound.iter().any(|bound| bound.role.is_strength());
+                let is_attenuation = has_strengths || reads.is_polynomial;
+                let role = if is_attenuation { Role::Attenuation(0) } else { Role::Strengths(0) };
+                let role = role.with_light(index_of(&vector.name));
+                bindings.bound.push(Bound { declared, role, how: How::Type });
+            }
+            if reads.last_is_apart && vector.glsl_type == "vec4" && !vector.name.starts_with("gl_") {
+                let declared = roles::last_of(vector);
+                bindings.bound.push(Bound { declared, role: Role::Tint, how: How::Type });
+            }
+        }
+        Ok(Program { vertex, fragment, bindings, declared, packed, instances, texts: texts.map(str::to_owned) })
     }
 
     /// One of the stages.
@@ -102,11 +136,22 @@ impl Program {
         text.unwrap_or_default()
     }
 
+    /// The name of an input in the text: that of a block's member begins with the block's instance.
+    #[must_use]
+    pub fn in_text<'n>(&self, name: &'n str) -> Cow<'n, str> {
+        in_text(&self.instances, name)
+    }
+
     /// Whether a text is the name of a uniform, or of an attribute.
     #[must_use]
     pub fn is_input(&self, stage: Stage, text: &str) -> bool {
         let is_given = |rate: InputRate| stage == Stage::Vertex || rate == InputRate::Uniform;
-        self.stage(stage).inputs.iter().any(|input| input.name == text && is_given(input.rate))
+        let is_component = |name: &str| {
+            let is_one = |rest: &str| rest.len() == 2 && rest.starts_with('.');
+            text.strip_prefix(&*self.in_text(name)).is_some_and(is_one)
+        };
+        self.stage(stage).inputs.iter().any(|input| self.in_text(&input.name) == text && is_given(input.rate))
+            || self.packed.iter().any(|(name, _)| is_component(name))
     }
 
     /// The text of a stage.
@@ -225,7 +270,8 @@ impl Program {
         if let Some(fixed) = self.bindings.fixed.iter().find(|fixed| fixed.declared.name == input.name) {
             return Some(fixed.values.clone());
         }
-        numbers_of_array(self.role(&input.name)?, &input.ty.written(), input.count, scene)
+        let bound = self.bindings.bound.iter().find(|bound| bound.declared.name == input.name)?;
+        numbers_of(&self.bindings, bound, scene)
     }
 
     pub(super) fn set_uniforms(&self, stage: &CompiledStage, inputs: &mut StageInputs, scene: &TestScene) {
@@ -250,6 +296,36 @@ impl Program {
         }
         inputs
     }
+}
+
+/// The first index in a name: the number of a light.
+pub(super) fn index_of(name: &str) -> u32 {
+    let index = name.split_once('[').and_then(|(_, rest)| rest.split_once(']'));
+    index.and_then(|(index, _)| index.parse().ok()).unwrap_or(0)
+}
+
+/// The blocks that have an instance name.
+fn instances_of(parsed: &Parsed) -> impl Iterator<Item = (String, String)> {
+    parsed.unit.items.iter().filter_map(|item| match item {
+        Item::Block(block) => Some((block.name.clone(), block.instance.as_ref()?.name.clone())),
+        _ => None,
+    })
+}
+
+fn in_text<'n>(instances: &[(String, String)], name: &'n str) -> Cow<'n, str> {
+    let member = |(block, instance): &(String, String)| {
+        Some(format!("{instance}{}", name.strip_prefix(block.as_str()).filter(|rest| rest.starts_with('.'))?))
+    };
+    instances.iter().find_map(member).map_or(Cow::Borrowed(name), Cow::Owned)
+}
+
+/// The tokens of both stages.
+fn tokens_of<'t>(stages: [(&Parsed, &'t str); 2]) -> Vec<&'t str> {
+    let of_stage = |(parsed, text): (&Parsed, &'t str)| {
+        let token = |place: &TokenPlace| text.get(place.start as usize..place.end as usize).unwrap_or_default();
+        parsed.tokens.iter().map(token).collect::<Vec<&str>>()
+    };
+    stages.into_iter().flat_map(of_stage).collect()
 }
 
 /// Whether a program may read this member of a struct: other members of the same struct do not count.

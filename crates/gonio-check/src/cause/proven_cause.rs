@@ -47,6 +47,14 @@ pub struct ProvenCause {
     pub is_computed_elsewhere: bool,
     /// Whether it is the only place that reads a variable.
     pub is_only_read: bool,
+    /// Whether it is all that a variable is set to.
+    pub is_whole: bool,
+    /// Whether it is an input, and the variable that is computed from it is named after the right one.
+    pub is_against_name: bool,
+    /// The assignment that spoils a right value of the variable that it reads: `ambient *= attenuation`.
+    pub spoilt_at: Option<(Stage, Span)>,
+    /// The assignment that computes the wrong value of the variable that it reads: `sum *= attenuation`.
+    pub set_at: Option<(Stage, Span)>,
     /// Its right values at any points, and those of other places of the same mistake.
     pub right: Vec<RightChange>,
     /// Another mistake in the same expression.
@@ -78,6 +86,12 @@ impl ProvenCause {
     #[must_use]
     pub fn is_of_sum(&self) -> bool {
         SUMS.contains(&self.repair.should.as_str())
+    }
+
+    /// Where the error is.
+    #[must_use]
+    pub fn place(&self) -> (Stage, Span) {
+        self.spoilt_at.or(self.set_at).unwrap_or((self.stage, self.span))
     }
 
     /// Whether it only reads a variable, or a member of one.

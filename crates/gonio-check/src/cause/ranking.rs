@@ -16,6 +16,8 @@ pub(super) struct Ranking<'a> {
     first: Vec<(Stage, ExprId, Span, Option<&'a str>)>,
     /// Quantities, by their indices in the model, by which terms are multiplied where all are added up.
     factors: Vec<(Stage, usize)>,
+    /// Expressions that compute a right value of another quantity: they are wrong, and not what the value is copied from.
+    computed: Vec<(Stage, ExprId, usize)>,
 }
 
 impl<'a> Ranking<'a> {
@@ -39,7 +41,9 @@ impl<'a> Ranking<'a> {
             };
             (0..at.model.quantities.len()).filter(of_factor).map(|q| (cause.stage, q))
         });
-        Ranking { symptoms, wrong, first: first.collect(), factors: factors.collect() }
+        let computed = all.iter().filter(|cause| cause.is_given && cause.is_sound() && !cause.is_read());
+        let computed = computed.map(|cause| (cause.stage, cause.expr, cause.repair.of)).collect();
+        Ranking { symptoms, wrong, first: first.collect(), factors: factors.collect(), computed }
     }
 
     /// Whether a term lacks a factor that the others get where all are added up: it is missing there.
@@ -64,7 +68,6 @@ impl<'a> Ranking<'a> {
         let is_within = |(stage, span): &(Stage, Span)| {
             *stage == cause.stage && span.start <= cause.span.start && cause.span.end <= span.end
         };
-        let unlikely = (cause.is_right_elsewhere, cause.is_computed_elsewhere);
         let name = (cause.mistakes.is_empty(), cause.distance.min(2), cause.relation);
         // A part of an expression that is the mistake itself, or a number within a formula.
         let is_number = cause.text.starts_with(|c: char| c.is_ascii_digit() || c == '.');
@@ -76,6 +79,12 @@ impl<'a> Ranking<'a> {
             (*stage, function) == (cause.stage, &of) && *expr < cause.expr && !is_within(&(*stage, *span))
         });
         let is_of_length = cause.relation == Relation::Length && program.is_whole_value(cause.stage, cause.expr);
+        let is_copied_later = cause.is_read()
+            && cause.is_given
+            && self.computed.iter().any(|(stage, expr, of)| {
+                (*stage, *expr > cause.expr) == (cause.stage, true) && observed[*of].values.is_same(&seen.values)
+            });
+        let unlikely = (cause.is_right_elsewhere && !is_of_length || is_copied_later, cause.is_computed_elsewhere);
         // A product with 1 has the value of an input, and is none.
         let is_product = seen.values.is_constant() && !is_name(&cause.text) && !is_number;
         let right = cause.repair.quantity().map(|q| &at.model.quantities[q]);

@@ -1,10 +1,11 @@
 //! Right values for wrong expressions, by what they have in common with the wrong ones.
 
-use super::model::{Model, Quantity, Space};
+use super::model::{INPUTS, Model, Quantity, Space};
 use super::observed::{DIFFUSE_NAMES, Observed, Observer, SPECULAR_NAMES, SUMS, TERMS, has_space, is_single_token};
 use super::program::Change;
 use super::values::Values;
 use gonio_threads::prelude::*;
+use std::cell::OnceCell;
 use std::sync::OnceLock;
 
 /// How the right value is related to the wrong one.
@@ -178,6 +179,7 @@ impl Observer<'_> {
         // `vec3(ambient)` is as right as the number, and may only lack a colour.
         let grey = if seen.is.is_none() { seen.values.grey() } else { None };
         let is_right_grey = grey.is_some_and(|grey| self.recognise(seen.stage, &grey).is_some());
+        let is_same_in_scene = OnceCell::new();
         let mut push = |relation: Relation, should: String, make: Make, extra: f32| {
             let quantity = if let Make::Quantity(index) = make { Some(&model.quantities[index]) } else { None };
             // A literal stands for a constant, unless a known mistake writes it instead of a quantity.
@@ -231,9 +233,10 @@ impl Observer<'_> {
             } else {
                 Relation::Other
             };
-            // No number that varies should be a constant, nor one that decides something.
-            let is_number = relation == Relation::Other && size == 1 && right.is_constant();
-            if is_number && (!seen.values.is_constant() || is_compared) {
+            // No number that varies from place to place should be a constant or an input, nor one that decides something.
+            let is_input = || INPUTS.iter().any(|(name, ..)| *name == quantity.name);
+            let is_number = relation == Relation::Other && size == 1 && (right.is_constant() || is_input());
+            if is_number && (is_compared || !*is_same_in_scene.get_or_init(|| self.is_same_in_each_scene(seen))) {
                 continue;
             }
             // Where nothing resembles attenuated light, the plain term is tried.
@@ -283,6 +286,18 @@ impl Observer<'_> {
             }
         }
         all
+    }
+
+    /// Whether a number is the same at all places of each scene.
+    fn is_same_in_each_scene(&self, seen: &Observed) -> bool {
+        let first = |scene| self.runner.first_point(seen.stage, scene);
+        let is_same = |scene: usize| {
+            let mut all = (first(scene)..first(scene + 1)).filter(|point| seen.values.present[*point]);
+            let Some(one) = all.next().map(|point| seen.values.at(point)[0]) else { return true };
+            // An input that is interpolated is only nearly the same.
+            all.all(|point| (seen.values.at(point)[0] - one).abs() <= 1e-4 * one.abs().max(1.0))
+        };
+        seen.values.is_constant() || (0..self.runner.samples.len()).all(is_same)
     }
 
     /// Whether a variable is set to a right term in a colour, which may lack that of the object.

@@ -18,7 +18,9 @@ pub(super) struct Symptoms<'a> {
 impl<'a> Symptoms<'a> {
     /// Whether the error is at another place.
     pub fn is_symptom(&self, seen: &Observed, repair: &Repair) -> bool {
-        self.is_call_of_another(seen) && !self.lacks_factor(seen, repair) || self.is_elsewhere(seen, repair)
+        // A vector may have any length until it is set for the last time.
+        let is_of_call = self.is_call_of_another(seen) && self.set_last(seen, repair) != Some(seen.expr);
+        is_of_call && !self.lacks_factor(seen, repair) || self.is_elsewhere(seen, repair)
     }
 
     /// The function around an expression.

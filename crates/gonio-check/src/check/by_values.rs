@@ -14,7 +14,7 @@ use crate::comparison::{
 };
 use crate::compile::{ParsedStage, compile};
 use crate::mistakes::{Mistake, ModelSolution, TERMS};
-use crate::roles::{Bindings, Bound, Declared, NamesFile, Role, VariableKind};
+use crate::roles::{Bindings, Bound, Declared, How, NamesFile, Role, VariableKind};
 use crate::source::{Analysis, SourceConstants};
 use crate::submission::{StageText, Submission};
 use crate::testbench::scene;
@@ -75,6 +75,9 @@ impl Judging<'_> {
     /// Errors of the driver.
     pub fn judge(&self, checker: &mut ShaderChecker, diagnosis: Diagnosis) -> Result<Option<Judged>, GlError> {
         let is_concluded = matches!(diagnosis.found, Found::Right(_) | Found::Endless);
+        if !is_concluded && let Some(judged) = self.not_interpolated(checker, &diagnosis)? {
+            return Ok(Some(judged));
+        }
         if is_concluded || !diagnosis.explanations.is_empty() {
             return self.judged(checker, &diagnosis).map(Some);
         }
@@ -207,7 +210,7 @@ impl Judging<'_> {
         })
     }
 
-    fn pictures(
+    pub(super) fn pictures(
         &self,
         checker: &mut ShaderChecker,
         diagnosis: &Diagnosis,
@@ -248,6 +251,9 @@ impl Judging<'_> {
                 id: "diffuse-in-steps".to_owned(),
                 name: tr!("check-the-diffuse-light-is-drawn-in").to_owned(),
             });
+        }
+        if diagnosis.has_own_depth {
+            verdict.warnings.push(tr!("check-the-sky-has-a-depth-of-its-own").to_owned());
         }
         let bindings = &diagnosis.bindings;
         let declared = bindings.bound.iter().map(|bound| &bound.declared).chain(&bindings.unknown);
@@ -312,6 +318,13 @@ fn unexplained(task: &Task, mut verdict: Verdict, bindings: &Bindings) -> Verdic
     let is_other = |bound: &&Bound| bound.role == Role::Roughness && !task.model.has_roughness();
     let others = bindings.bound.iter().filter(is_other).map(|bound| &bound.declared);
     let unknown = bindings.unknown.iter().chain(others).filter(|declared| declared.kind == VariableKind::Uniform);
+    // An array's elements may be anything.
+    let is_guessed = |bound: &&Bound| {
+        let is_array = bound.declared.array > 1 && bound.role.light().is_none_or(|_| bound.how == How::Type);
+        is_array && bound.how != How::NamesFile && bound.declared.kind == VariableKind::Uniform
+    };
+    let guessed = bindings.bound.iter().filter(is_guessed).map(|bound| &bound.declared);
+    let unknown = unknown.chain(guessed);
     let mut unknown: Vec<String> = unknown.map(|declared| format!("`{}`", declared.name)).collect();
     // Pictures are drawn without the inputs that have no role.
     let unset = verdict.bound.iter().filter(|bound| bound.role.is_none()).map(|bound| format!("`{}`", bound.name));
@@ -350,7 +363,7 @@ fn score_of_wrong(verdict: &Verdict) -> f64 {
 }
 
 /// Makes the verdict wrong.
-fn wrong(mut verdict: Verdict, mistakes: Vec<FoundMistake>) -> Verdict {
+pub(super) fn wrong(mut verdict: Verdict, mistakes: Vec<FoundMistake>) -> Verdict {
     verdict.score = score_of_wrong(&verdict);
     verdict.mistakes = mistakes;
     verdict.summary = verdict.mistake_names();
@@ -380,7 +393,7 @@ pub(super) fn unlisted(cause: &ProvenCause, submission: &Submission) -> FoundMis
         1.0,
     );
     let taught = found.taught(cause.is_in_words(), tr!("check-with-this-value-every-test-scene"), "");
-    placed(taught, (cause.stage, cause.span), submission)
+    placed(taught, cause.place(), submission)
 }
 
 /// The mistakes that a cause has by name.
@@ -389,12 +402,7 @@ fn named(cause: &ProvenCause, submission: &Submission) -> Option<Vec<FoundMistak
     let or = cause.mistakes.iter().skip(1).take(cause.equals).map(|other| other.id.clone()).collect();
     let found = FoundMistake { or, lab_does_it: first.lab_does_it, ..FoundMistake::from_catalogue(first, 1.0) };
     let second = cause.with.map(|with| FoundMistake::from_catalogue(with, 1.0));
-    Some(
-        std::iter::once(found)
-            .chain(second)
-            .map(|found| placed(found, (cause.stage, cause.span), submission))
-            .collect(),
-    )
+    Some(std::iter::once(found).chain(second).map(|found| placed(found, cause.place(), submission)).collect())
 }
 
 /// The mistake with its file, line and the text of the line.

@@ -1,11 +1,11 @@
 //! The mistakes that explain a picture, at the lines where the program makes them.
 
 use super::by_values::{Judging, placed, unlisted};
-use crate::cause::Diagnosis;
 use crate::cause::explanation::Explanation;
 use crate::cause::place::MistakePlace;
 use crate::cause::proven_cause::ProvenCause;
 use crate::cause::repair::Relation;
+use crate::cause::{Diagnosis, is_absent};
 use crate::mistakes::{Mistake, term_of};
 use crate::verdict::FoundMistake;
 use gonio_glsl::{Span, Stage};
@@ -22,6 +22,8 @@ struct Explained<'a> {
     first: &'a Explanation,
     /// Whether the light equation is a long formula.
     is_long: bool,
+    /// The terms that the exercise asks for.
+    required: [bool; 3],
 }
 
 impl Judging<'_> {
@@ -43,17 +45,19 @@ impl Judging<'_> {
             found.push(unlisted(vector, self.submission));
             return found;
         }
-        let explained = Explained { diagnosis, first, is_long: self.values.task.model.has_roughness() };
-        let mut causes: Vec<&ProvenCause> = groups.iter().filter_map(|group| group.first()).collect();
+        let task = self.values.task;
+        let explained = Explained { diagnosis, first, is_long: task.model.has_roughness(), required: task.required };
+        let mut causes: Vec<&[ProvenCause]> =
+            groups.iter().map(Vec::as_slice).filter(|group| !group.is_empty()).collect();
         for at in 0..first.mistakes.len() {
             let alternatives = explained.alternatives(at);
             let of_cause = |cause: &ProvenCause| -> Vec<&'static Mistake> {
                 let shown = cause.mistakes.iter().take(1 + cause.equals).copied();
                 shown.filter(|mistake| alternatives.iter().any(|other| other.id == mistake.id)).collect()
             };
-            let cause = causes.iter().position(|cause| !of_cause(cause).is_empty()).map(|at| causes.remove(at));
+            let group = causes.iter().position(|group| !of_cause(&group[0]).is_empty()).map(|at| causes.remove(at));
             // The alternative that the program itself shows, if it shows one.
-            let mut shown = explained.by_values(cause.map(of_cause).unwrap_or_default());
+            let mut shown = explained.by_values(group.map(|group| of_cause(&group[0])).unwrap_or_default());
             shown.extend(explained.by_values(alternatives.clone()));
             let Some((mistake, others)) = shown.split_first() else { continue };
             let mut or: Vec<String> = Vec::new();
@@ -64,7 +68,7 @@ impl Judging<'_> {
             }
             let new =
                 FoundMistake { or, lab_does_it: mistake.lab_does_it, ..FoundMistake::from_catalogue(mistake, 1.0) };
-            found.push(match explained.place(mistake, cause, &causes) {
+            found.push(match explained.place(mistake, group, &causes) {
                 Some(at) => placed(new, at, self.submission),
                 None => new,
             });
@@ -74,10 +78,19 @@ impl Judging<'_> {
 }
 
 impl<'a> Explained<'a> {
-    /// The mistakes that explain the picture as well as each other, by the number of the mistake in an explanation.
+    /// The mistakes that explain the picture as well as each other, by the number of the mistake in an explanation: those
+    /// that need the fewest terms for which the exercise does not ask.
     fn alternatives(&self, at: usize) -> Vec<&'static Mistake> {
-        let all = self.diagnosis.explanations.iter();
-        all.filter_map(|explanation| explanation.mistakes.get(at).copied()).collect()
+        let optional = |explanation: &Explanation| {
+            let terms = explanation.strengths.iter().zip(self.required);
+            terms.filter(|(strength, required)| !required && strength.is_some() && !is_absent(**strength)).count()
+        };
+        // A picture without any light needs none of them.
+        let is_whole = |explanation: &Explanation| explanation.mistakes.iter().any(|mistake| mistake.whole);
+        let all = &self.diagnosis.explanations;
+        let fewest = all.iter().filter(|explanation| !is_whole(explanation)).map(optional).min();
+        let best = all.iter().filter(|one| is_whole(one) || Some(optional(one)) == fewest);
+        best.filter_map(|explanation| explanation.mistakes.get(at).copied()).collect()
     }
 
     /// Mistakes in the order in which the values show them: pictures do not tell some apart, but the wrong values may.
@@ -87,6 +100,12 @@ impl<'a> Explained<'a> {
             // What is computed earlier tells more than what is put out in the end.
             (mistake.id == NOT_PUT_OUT, !has_value, mistake.whole)
         });
+        // An expression around that of another mistake has the value that counts: `abs(dot(N, L))`.
+        if let [first, others @ ..] = all.as_slice()
+            && let Some(outer) = others.iter().position(|other| self.is_around(other, first))
+        {
+            all.swap(0, outer + 1);
+        }
         all
     }
 
@@ -99,23 +118,67 @@ impl<'a> Explained<'a> {
         }
     }
 
+    /// Whether the wrong value of a mistake is computed around that of another.
+    fn is_around(&self, outer: &Mistake, inner: &Mistake) -> bool {
+        let direct = |mistake| self.place_of(mistake).filter(|place| place.is_direct);
+        let (Some(outer), Some(inner)) = (direct(outer), direct(inner)) else { return false };
+        let (around, within) = (outer.span, inner.span);
+        // Of two with the same value, the one that always has it.
+        let is_as_telling = around != within || outer.mistake.change.len() < inner.mistake.change.len();
+        outer.stage == inner.stage && around.start <= within.start && within.end <= around.end && is_as_telling
+    }
+
     /// Where to say that a mistake is made: at its proven cause, or where the values show it. `others` are the causes that belong
     /// to no mistake.
-    fn place(&self, mistake: &Mistake, cause: Option<&ProvenCause>, others: &[&ProvenCause]) -> Option<(Stage, Span)> {
+    fn place(
+        &self,
+        mistake: &Mistake,
+        group: Option<&[ProvenCause]>,
+        others: &[&[ProvenCause]],
+    ) -> Option<(Stage, Span)> {
         let is_single = self.first.mistakes.len() == 1;
         // A single cause is proven, whatever it is called.
-        let only = others.first().copied().filter(|_| is_single && others.len() == 1);
-        let of_cause = |cause: &ProvenCause| (cause.stage, cause.span);
+        let only = others.first().and_then(|group| group.first()).filter(|_| is_single && others.len() == 1);
         let of_place = |place: &MistakePlace| (place.stage, place.span);
-        match (cause, self.place_of(mistake)) {
+        let place = self.place_of(mistake);
+        // The first that shows this mistake and no other one better.
+        let is_of_mistake = |cause: &&ProvenCause| cause.mistakes.first().is_some_and(|first| first.id == mistake.id);
+        let cause = group.and_then(|group| group.iter().find(is_of_mistake).or(group.first()));
+        if let Some(place) = place.filter(|place| place.is_vector) {
+            return Some(of_place(place));
+        }
+        // An input stands where a variable's name asks for another one.
+        if let Some(exchanged) = group.and_then(|group| group.iter().find(|cause| cause.is_against_name)) {
+            return Some(exchanged.place());
+        }
+        if let (Some(spoilt), true) = (group.and_then(|group| group.iter().find_map(|c| c.spoilt_at)), is_single) {
+            return Some(spoilt);
+        }
+        // A value that is right where it is computed is wrong where another variable is set to it.
+        if let (Some(group), Some(place)) = (group, place) {
+            let is_proven = group.iter().any(|cause| cause.stage == place.stage && cause.span == place.span);
+            let is_copy = |cause: &&ProvenCause| {
+                cause.stage == place.stage
+                    && cause.distance == 0
+                    && cause.is_read()
+                    && cause.is_whole
+                    && is_of_mistake(cause)
+            };
+            if let (false, Some(copy)) = (is_proven, group.iter().find(is_copy)) {
+                return Some(copy.place());
+            }
+        }
+        match (cause, place) {
             (Some(cause), Some(place)) if place.is_direct && self.is_at_place(cause, place) => Some(of_place(place)),
             // A right term is used wrongly where the sum is.
-            (Some(cause), Some(place)) if is_single && cause.is_right_term() && !place.is_direct => {
+            (Some(cause), Some(place))
+                if is_single && cause.is_right_term() && cause.distance > 0 && !place.is_direct =>
+            {
                 Some(of_place(place))
             }
-            (Some(cause), _) => Some(of_cause(cause)),
+            (Some(cause), _) => Some(cause.place()),
             (None, Some(place)) if !place.is_given || place.is_copy => Some(of_place(place)),
-            (None, place) => only.map(of_cause).or(place.map(of_place)),
+            (None, place) => only.map(ProvenCause::place).or(place.map(of_place)),
         }
     }
 
@@ -124,7 +187,7 @@ impl<'a> Explained<'a> {
     /// it. Where the sum is wrong, it may be one of its terms.
     fn is_at_place(&self, cause: &ProvenCause, place: &MistakePlace) -> bool {
         // A vector that lacks its length, and a right term that lacks a factor, lack them where they are set.
-        if cause.is_given && matches!(cause.relation, Relation::Length | Relation::Factor) {
+        if (cause.is_given || cause.is_whole) && matches!(cause.relation, Relation::Length | Relation::Factor) {
             return false;
         }
         if self.first.mistakes.len() == 1 {

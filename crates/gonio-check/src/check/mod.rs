@@ -4,6 +4,7 @@ mod by_reference;
 mod by_values;
 mod corrections;
 mod explained;
+mod flat;
 mod proposed;
 
 pub use by_values::WRONG_VALUE;

@@ -14,7 +14,9 @@ use gonio_language::tr;
 pub(crate) const MOST_FOR_WRONG: f64 = 0.9;
 /// Returns the variables and their roles for the verdict.
 pub fn bound(bindings: &Bindings) -> Vec<BoundVariable> {
-    let known = bindings.bound.iter().map(|b| (&b.declared, Some(b.role.to_string())));
+    // The last component of a vector that is 1, as usual, says nothing.
+    let known = bindings.bound.iter().filter(|bound| !bindings.is_usual_last(bound));
+    let known = known.map(|b| (&b.declared, Some(b.role.to_string())));
     let unknown = bindings.unknown.iter().map(|declared| (declared, None));
     known
         .chain(unknown)
@@ -33,13 +35,8 @@ pub fn fixed(bindings: &Bindings) -> Vec<(String, Vec<f32>)> {
 
 /// Finds a mistake of the catalogue, or a structural one, by its id.
 pub fn mistake(id: &str, share: f64) -> Option<FoundMistake> {
-    if let Some(known) = crate::mistakes::find(id) {
-        return Some(FoundMistake { lab_does_it: known.lab_does_it, ..FoundMistake::from_catalogue(known, share) });
-    }
-    crate::mistakes::structural()
-        .into_iter()
-        .find(|known| known.id == id)
-        .map(|known| FoundMistake::from_catalogue(&known, share))
+    let known = crate::mistakes::find(id)?;
+    Some(FoundMistake { lab_does_it: known.lab_does_it, ..FoundMistake::from_catalogue(known, share) })
 }
 
 /// Warns of pixels without a number.

@@ -49,6 +49,8 @@ pub enum Lights {
     First,
     /// Only the second of two.
     Second,
+    /// Only the second of two, with an ambient term that belongs to neither.
+    SecondOneAmbient,
     /// Both, with one ambient term that belongs to neither.
     OneAmbient,
     /// Both, with a common ambient term that is added for each.
@@ -64,7 +66,7 @@ impl Lights {
     pub fn each(self) -> &'static [(usize, bool)] {
         match self {
             Lights::One | Lights::First => &[(0, true)],
-            Lights::Second => &[(1, true)],
+            Lights::Second | Lights::SecondOneAmbient => &[(1, true)],
             Lights::Both | Lights::OneAmbient | Lights::EachAmbient => &[(0, true), (1, true)],
             Lights::WrongInSecond => &[(0, false), (1, true)],
             Lights::WrongInFirst => &[(0, true), (1, false)],
@@ -75,7 +77,7 @@ impl Lights {
     pub fn mistake(self) -> Option<&'static str> {
         match self {
             Lights::First => Some("second-light-missing"),
-            Lights::Second => Some("lights-overwritten"),
+            Lights::Second | Lights::SecondOneAmbient => Some("lights-overwritten"),
             Lights::EachAmbient => Some("ambient-twice"),
             _ => None,
         }
@@ -111,6 +113,8 @@ pub struct Parameterisation {
     coloured: bool,
     /// Whether the number of lights is an input.
     counted: bool,
+    /// Whether there are more than two lights; the others are dark.
+    has_more: bool,
     other_light: Option<Vec3>,
     sun: Option<Sun>,
     /// Whether the up direction is not an input, so that the program assumes Y.
@@ -165,9 +169,15 @@ impl Parameterisation {
         let is_whole = |role| is_material(role) && role != Role::MaterialSpecular;
         let material = if is_textured { has(&is_whole) } else { bindings_or_source(&is_whole) };
         let given = [
-            has_or_declares(&|role| matches!(role, Role::AmbientStrength(_) | Role::AmbientColor(_))),
-            has_or_declares(&|role| matches!(role, Role::DiffuseStrength(_) | Role::DiffuseColor(_))),
-            has_or_declares(&|role| matches!(role, Role::SpecularStrength(_) | Role::SpecularColor(_))),
+            has_or_declares(&|role| {
+                matches!(role, Role::AmbientStrength(_) | Role::AmbientColor(_) | Role::Strengths(_))
+            }),
+            has_or_declares(&|role| {
+                matches!(role, Role::DiffuseStrength(_) | Role::DiffuseColor(_) | Role::Strengths(_))
+            }),
+            has_or_declares(&|role| {
+                matches!(role, Role::SpecularStrength(_) | Role::SpecularColor(_) | Role::Strengths(_))
+            }),
         ];
         let has_ambient_colour = bindings.bound.iter().any(|bound| {
             matches!(bound.role, Role::AmbientColor(_) | Role::MaterialAmbient) && bound.declared.glsl_type != "float"
@@ -189,9 +199,9 @@ impl Parameterisation {
         let is_place = |role| matches!(role, Role::LightPos(_) | Role::LightPosInView(_));
         let coloured = of_second(&|role| matches!(role, Role::LightColor(_)));
         let own = [
-            of_second(&|role| matches!(role, Role::AmbientStrength(_) | Role::AmbientColor(_))),
-            of_second(&|role| matches!(role, Role::DiffuseStrength(_) | Role::DiffuseColor(_))),
-            of_second(&|role| matches!(role, Role::SpecularStrength(_) | Role::SpecularColor(_))),
+            of_second(&|role| matches!(role, Role::AmbientStrength(_) | Role::AmbientColor(_) | Role::Strengths(_))),
+            of_second(&|role| matches!(role, Role::DiffuseStrength(_) | Role::DiffuseColor(_) | Role::Strengths(_))),
+            of_second(&|role| matches!(role, Role::SpecularStrength(_) | Role::SpecularColor(_) | Role::Strengths(_))),
             of_second(&|role| {
                 matches!(
                     role,
@@ -259,6 +269,10 @@ impl Parameterisation {
             own,
             coloured,
             counted: has(&|role| role == Role::LightCount),
+            has_more: bindings.bound.iter().any(|bound| {
+                let last = bound.role.light().map(|first| first.saturating_add(bound.declared.array.max(1) - 1));
+                is_place(bound.role) && last.is_some_and(|last| last >= 2)
+            }),
             other_light: constants.other_light.filter(|_| lit_from_outside),
             sun,
             upright: task.model.is_of_places() && !has(&determines_up),
@@ -299,6 +313,9 @@ impl Parameterisation {
             Second::None => &[],
             _ if self.counted && !self.own[0] => {
                 &[Lights::First, Lights::Second, Lights::EachAmbient, Lights::WrongInSecond, Lights::WrongInFirst]
+            }
+            _ if self.coloured && !self.own[0] => {
+                &[Lights::First, Lights::Second, Lights::SecondOneAmbient, Lights::WrongInSecond, Lights::WrongInFirst]
             }
             _ => &[Lights::First, Lights::Second, Lights::WrongInSecond, Lights::WrongInFirst],
         }
@@ -344,14 +361,24 @@ impl Parameterisation {
     ) {
         self.apply(test_scene);
         // The last light.
-        let is_second = light > 0 && !(lights == Lights::Second && self.counted && test_scene.other.is_none());
+        let is_last = matches!(lights, Lights::Second | Lights::SecondOneAmbient);
+        let is_second = light > 0 && !(is_last && self.counted && test_scene.other.is_none());
         let is_missing = is_second && test_scene.other.is_none();
+        let is_one_ambient =
+            matches!(lights, Lights::OneAmbient | Lights::SecondOneAmbient) || !self.own[0] && !self.coloured;
         if is_second {
             let first = test_scene.light;
             test_scene.light = test_scene.other.unwrap_or_else(|| first.dark());
+            // An ambient term that belongs to no light is there beside the last one too.
+            if is_one_ambient && is_last {
+                // The last of more lights is dark.
+                if self.has_more && !self.counted {
+                    test_scene.light = test_scene.light.dark();
+                }
+                test_scene.light.ambient = first.ambient;
+            }
             test_scene.other = Some(first);
         }
-        let is_one_ambient = lights == Lights::OneAmbient || !self.own[0] && !self.coloured;
         let light = &mut test_scene.light;
         let brightness = if self.coloured { light.brightness } else { 1.0 };
         let strengths = [&mut light.ambient, &mut light.diffuse, &mut light.specular];
@@ -360,6 +387,7 @@ impl Parameterisation {
                 *strength = strength_of(index, self.given[index], *strength);
             }
             *strength *= match index {
+                0 if is_one_ambient && is_last => 1.0,
                 0 if is_one_ambient && lights != Lights::EachAmbient => f32::from(u8::from(!is_second)),
                 _ if is_missing => 0.0,
                 _ => brightness,

@@ -96,6 +96,7 @@ impl Student<'_> {
                     | Role::DiffuseColor(_)
                     | Role::SpecularStrength(_)
                     | Role::SpecularColor(_)
+                    | Role::Strengths(_)
             )
         });
         if !coloured && !strong {

@@ -90,9 +90,9 @@ pub fn for_model(model: ModelSolution) -> impl Iterator<Item = &'static Mistake>
     all().iter().filter(move |mistake| model.has_mistakes_of(&mistake.models))
 }
 
-/// Returns the first mistake with this id.
+/// Returns the first mistake with this id, of the catalogue or of [`structural`].
 pub fn find(id: &str) -> Option<&'static Mistake> {
-    all().iter().find(|mistake| mistake.id == id)
+    all().iter().chain(structural()).find(|mistake| mistake.id == id)
 }
 
 /// A right answer that hypotheses change: written so that each quantity has a line of its own.
@@ -201,8 +201,13 @@ impl ModelSolution {
 }
 
 /// Returns the mistakes that are not a change of one line: another model solution, or more than any of them computes.
-pub fn structural() -> Vec<Mistake> {
-    let mistake = |(id, name, looks_like, fix): &(&str, &str, &str, &str)| Mistake {
+pub fn structural() -> &'static [Mistake] {
+    static ALL: LazyLock<Vec<Mistake>> = LazyLock::new(|| STRUCTURAL.iter().map(structural_mistake).collect());
+    &ALL
+}
+
+fn structural_mistake((id, name, looks_like, fix): &(&str, &str, &str, &str)) -> Mistake {
+    Mistake {
         id: (*id).to_owned(),
         name: (*name).to_owned(),
         models: vec![ModelSolution::Phong, ModelSolution::Gouraud],
@@ -210,8 +215,7 @@ pub fn structural() -> Vec<Mistake> {
         fix: (*fix).to_owned(),
         lecture_section: "Where is the rendering equation computed?".to_owned(),
         ..Mistake::default()
-    };
-    STRUCTURAL.iter().map(mistake).collect()
+    }
 }
 
 /// Their ids, names, symptoms and fixes.
@@ -227,6 +231,12 @@ const STRUCTURAL: &[(&str, &str, &str, &str)] = &[
         "The light is computed for each vertex instead of each fragment",
         "The light is interpolated across triangles, and highlights are angular or missing.",
         "Pass position and normal to the fragment shader, and compute the light there.",
+    ),
+    (
+        "varying-flat",
+        "A value is not interpolated: `flat` gives each triangle the value of one of its vertices",
+        "Every triangle has a single colour, or shows its edges.",
+        "Delete `flat` in both shaders. It is needed for integers only.",
     ),
     (
         "attenuation-other-formula",

@@ -106,7 +106,7 @@ mod tests {
     use std::collections::BTreeSet;
 
     fn catalogue() -> Vec<Mistake> {
-        [all(), &structural()].concat()
+        [all(), structural()].concat()
     }
 
     /// The pieces of code in a text.

@@ -1,11 +1,11 @@
 //! Determines the roles of a shader's variables together: each by its own name first, then by what the others leave
 //! open.
 
+use super::lights::{Place, light_indices};
 use super::role::Role;
 use super::rules::{self, Shape, shape};
 use super::words::Words;
 use super::{Declared, How, VariableKind};
-use std::collections::BTreeMap;
 
 /// A variable with its parsed name.
 struct Read<'a> {
@@ -96,7 +96,10 @@ pub(super) fn roles(declared: &[&Declared], given: &[Option<Role>], open: &[bool
             if *open { by_name(read).map(|role| (role, How::Name)) } else { given.map(|r| (r, How::NamesFile)) };
     }
     intensities(&mut all);
+    coefficients(&mut all);
+    radiances(&mut all);
     attributes_by_type(&mut all);
+    prefixed_matrices(&mut all);
     worlds(&mut all);
     matrices(&mut all);
     camera(&mut all);
@@ -170,6 +173,52 @@ fn intensities(all: &mut [Read<'_>]) {
     }
 }
 
+/// Assigns the role of a light's colour to the radiance `Le` that it emits.
+fn radiances(all: &mut [Read<'_>]) {
+    for read in all.iter_mut() {
+        let field = read.declared.name.rsplit_once('.').map(|(_, field)| field);
+        if field == Some("Le") && read.open && read.shape == Shape::Vector && read.words.has("light") {
+            read.found = Some((Role::LightColor(0), How::Use));
+        }
+    }
+}
+
+/// Assigns roles to the coefficients of an attenuation that are only numbered, `k0`, `k1` and `k2`: their names say the
+/// degree.
+fn coefficients(all: &mut [Read<'_>]) {
+    let is_attenuation = |read: &Read<'_>| {
+        let roles = [Role::AttenuationConstant(0), Role::AttenuationLinear(0), Role::AttenuationQuadratic(0)];
+        roles.iter().any(|role| read.is(*role))
+    };
+    if all.iter().any(is_attenuation) {
+        return;
+    }
+    let stem = |read: &Read<'_>, digit: char| -> Option<String> {
+        let is_unclear = matches!(read.found, None | Some((Role::LightColor(_), How::Name)));
+        let is_number = read.open && is_unclear && read.shape == Shape::Scalar;
+        let stem = read.declared.name.strip_suffix(digit).filter(|_| is_number)?;
+        let field = stem.rsplit(['.', '_']).find(|part| !part.is_empty()).unwrap_or(stem);
+        let is_coefficient = field.len() == 1 && field.starts_with(['k', 'K', 'a', 'A', 'c', 'C']);
+        (is_coefficient || read.words.has("attenuation")).then(|| stem.to_owned())
+    };
+    let stems: Vec<String> = all.iter().filter_map(|read| stem(read, '0')).collect();
+    for of in stems {
+        let places: Vec<usize> = ['0', '1', '2']
+            .into_iter()
+            .filter_map(|digit| all.iter().position(|read| stem(read, digit).as_ref() == Some(&of)))
+            .collect();
+        if let [constant, linear, quadratic] = places[..] {
+            all[constant].found = Some((Role::AttenuationConstant(0), How::Use));
+            all[linear].found = Some((Role::AttenuationLinear(0), How::Use));
+            all[quadratic].found = Some((Role::AttenuationQuadratic(0), How::Use));
+            for place in places {
+                // The number is no light's.
+                all[place].light.number = None;
+            }
+        }
+    }
+}
+
 /// Treats `worldMatrix` beside `modelMatrix` as the view matrix if no other matrix is.
 fn worlds(all: &mut [Read<'_>]) {
     let views = [Role::View, Role::ModelView, Role::ViewProjection, Role::ModelViewProjection];
@@ -201,6 +250,32 @@ fn tints(all: &mut [Read<'_>]) {
         };
         if is_double {
             read.found = Some((Role::Tint, How::Use));
+        }
+    }
+}
+
+/// Assigns roles to matrices that are called `mw`, `mv` and `mp`: their first letter only says that they are matrices.
+fn prefixed_matrices(all: &mut [Read<'_>]) {
+    const NAMES: [(&str, Role); 6] = [
+        ("mm", Role::Model),
+        ("mw", Role::Model),
+        ("mv", Role::View),
+        ("mp", Role::Projection),
+        ("mn", Role::NormalMatrix),
+        ("mwit", Role::NormalMatrix),
+    ];
+    let name = |read: &Read<'_>| {
+        let is_matrix = read.open && read.shape == Shape::Matrix;
+        is_matrix.then(|| read.declared.name.trim_start_matches("u_").to_lowercase())
+    };
+    let has = |asked: &str| all.iter().filter_map(name).any(|name| name == asked);
+    if !(has("mp") && (has("mv") || has("mw") || has("mm"))) {
+        return;
+    }
+    for read in all.iter_mut() {
+        let role = name(read).and_then(|name| NAMES.iter().find(|(known, _)| *known == name));
+        if let Some((_, role)) = role {
+            read.found = Some((*role, How::Use));
         }
     }
 }
@@ -359,96 +434,6 @@ fn number_lights(all: &mut [Read<'_>]) {
     }
 }
 
-/// The light that a name refers to.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(super) struct Place {
-    /// The name of the struct without numbers; empty for a variable outside of structs.
-    pub(super) group: String,
-    /// The index in brackets, from 0.
-    pub(super) bracket: Option<u32>,
-    /// A number in the name; students count from 0 or from 1.
-    pub(super) number: Option<u32>,
-    /// Whether the name refers to another light: `otherLightPos`.
-    pub(super) is_another: bool,
-}
-
-type RoleKind = std::mem::Discriminant<Role>;
-
-/// Returns the indices of lights, from 0 without gaps. If two structs have the same quantity, each has its own
-/// lights.
-fn light_indices(lights: &[(Role, Place)]) -> Vec<u32> {
-    let mut sizes: BTreeMap<&str, usize> = BTreeMap::new();
-    for (_, place) in lights {
-        *sizes.entry(&place.group).or_default() += 1;
-    }
-    let mut groups: BTreeMap<(u8, std::cmp::Reverse<usize>, &str), Vec<usize>> = BTreeMap::new();
-    for (at, (_, place)) in lights.iter().enumerate() {
-        let lower = place.group.to_lowercase();
-        // This order does not depend on the driver, unlike that of OpenGL's list.
-        let rank = if lower.contains("dir") {
-            1
-        } else if lower.contains("spot") {
-            2
-        } else {
-            0
-        };
-        // The light with the most variables is the first one: a position beside it may belong to another.
-        let count = sizes.get(place.group.as_str()).copied().unwrap_or(0);
-        groups.entry((rank, std::cmp::Reverse(count), &place.group)).or_default().push(at);
-    }
-    let mut indices = vec![0; lights.len()];
-    let mut taken: Vec<(RoleKind, u32)> = Vec::new();
-    for members in groups.values() {
-        within_group(lights, members, &mut indices);
-        if groups.len() > 1 && is_only_a_place(lights, members) {
-            continue;
-        }
-        let kind = |at: usize| std::mem::discriminant(&lights[at].0);
-        let collides = members.iter().any(|&at| taken.contains(&(kind(at), indices[at])));
-        let offset = if collides { taken.iter().map(|(_, index)| index + 1).max().unwrap_or(0) } else { 0 };
-        for &at in members {
-            indices[at] = indices[at].saturating_add(offset);
-        }
-        // A student has a handful of lights; the order of a hostile shader's thousands does not matter.
-        taken.extend(members.iter().take(1000).map(|&at| (kind(at), indices[at])));
-    }
-    indices
-}
-
-/// Whether a group is only a position beside a struct, and not named as another light's. It belongs to the struct:
-/// `lightPos` in the vertex shader and `light.position` in the fragment shader.
-fn is_only_a_place(lights: &[(Role, Place)], members: &[usize]) -> bool {
-    members.iter().all(|&at| {
-        let (role, place) = &lights[at];
-        let stands_alone = place.group.is_empty() && place.number.is_none() && !place.is_another;
-        stands_alone && matches!(role, Role::LightPos(_) | Role::LightPosInView(_))
-    })
-}
-
-fn within_group(lights: &[(Role, Place)], members: &[usize], indices: &mut [u32]) {
-    let numbered = |at: usize| lights[at].1.number.filter(|_| lights[at].1.bracket.is_none());
-    let mut numbers: Vec<u32> = members.iter().filter_map(|&at| numbered(at)).collect();
-    numbers.sort_unstable();
-    numbers.dedup();
-    // `lightPos` beside `lightPos2` is the first light.
-    let mut bare: Vec<RoleKind> = Vec::new();
-    for &at in members {
-        if lights[at].1.number.is_none() && lights[at].1.bracket.is_none() {
-            bare.push(std::mem::discriminant(&lights[at].0));
-        }
-    }
-    let shift =
-        members.iter().any(|&at| numbered(at).is_some() && bare.contains(&std::mem::discriminant(&lights[at].0)));
-    for &at in members {
-        let rank = numbered(at).and_then(|number| numbers.binary_search(&number).ok());
-        indices[at] = match (lights[at].1.bracket, rank) {
-            (Some(bracket), _) => bracket,
-            (None, Some(rank)) => u32::try_from(rank).unwrap_or(u32::MAX).saturating_add(u32::from(shift)),
-            (None, None) => 0,
-        };
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::{Declared, NamesFile, Role, bind};
@@ -466,6 +451,17 @@ mod tests {
             ("vec3 ambientColor", "ambientColor", Some(Role::AmbientColor(0))),
             ("vec3 objectColor, vec3 material.diffuse", "objectColor", Some(Role::Tint)),
             ("vec3 objectColor", "objectColor", Some(Role::MaterialColor)),
+            ("mat4 unity_WorldToObject, mat4 M", "unity_WorldToObject", Some(Role::ModelInverse)),
+            ("mat4 kameraAusWelt", "kameraAusWelt", Some(Role::View)),
+            ("mat4 world2view", "world2view", Some(Role::View)),
+            ("mat4 kameraGegenWelt", "kameraGegenWelt", None),
+            ("mat4 mProiezione", "mProiezione", Some(Role::Projection)),
+            ("mat4 mUnknown", "mUnknown", None),
+            ("mat4 M", "M", Some(Role::Model)),
+            ("mat4 mw, mat4 mv, mat4 mp", "mv", Some(Role::View)),
+            ("mat4 mv, mat4 p", "mv", Some(Role::ModelView)),
+            ("float lamp.k0, float lamp.k1, float lamp.k2", "lamp.k1", Some(Role::AttenuationLinear(0))),
+            ("float lamp.k0, float lamp.k1", "lamp.k1", Some(Role::LightColor(1))),
         ] {
             let uniform = |text: &str| text.split_once(' ').map(|(ty, name)| Declared::uniform(name, ty));
             let declared: Vec<Declared> = all.split(", ").filter_map(uniform).collect();

@@ -6,12 +6,16 @@
 mod context;
 mod file;
 mod fixed_function;
+mod lights;
+mod parts;
 mod role;
 mod rules;
 mod words;
 
 #[cfg(test)]
 mod tests;
+
+pub(crate) use parts::{VectorReads, last_of};
 
 pub use file::{Meaning, NamesError, NamesFile};
 pub use role::{Role, UnknownRole};
@@ -138,6 +142,14 @@ impl Bindings {
             } else if let Some(at) = self.unknown.iter().position(|unknown| unknown.is_same(&bound.declared)) {
                 let declared = self.unknown.remove(at);
                 self.bound.push(Bound { declared, ..*bound });
+            }
+        }
+        let vectors = known.bound.iter().map(|bound| &bound.declared).chain(&known.unknown);
+        for (vector, last) in vectors.filter_map(|vector| Some((vector, known.last_of(vector)?))) {
+            let all = self.bound.iter().map(|bound| &bound.declared).chain(&self.unknown);
+            let own = all.into_iter().find(|own| own.is_same(vector)).cloned();
+            if let Some(own) = own.filter(|own| self.last_of(own).is_none()) {
+                self.bound.push(Bound { declared: last_of(&own), ..*last });
             }
         }
     }

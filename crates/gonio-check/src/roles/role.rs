@@ -83,6 +83,8 @@ pub enum Role {
     DiffuseStrength(u32),
     /// A light's specular strength.
     SpecularStrength(u32),
+    /// All three of them in one vector, the ambient one first.
+    Strengths(u32),
     /// A light's constant attenuation.
     AttenuationConstant(u32),
     /// A light's attenuation with the distance.
@@ -141,7 +143,7 @@ enum Named {
 
 use Named::{Light, Plain};
 
-const NAMES: [(&str, Named); 62] = [
+const NAMES: [(&str, Named); 63] = [
     ("position", Plain(Role::Position)),
     ("normal", Plain(Role::Normal)),
     ("tex-coord", Plain(Role::TexCoord)),
@@ -180,6 +182,7 @@ const NAMES: [(&str, Named); 62] = [
     ("ambient-strength", Light(Role::AmbientStrength)),
     ("diffuse-strength", Light(Role::DiffuseStrength)),
     ("specular-strength", Light(Role::SpecularStrength)),
+    ("strengths", Light(Role::Strengths)),
     ("attenuation-constant", Light(Role::AttenuationConstant)),
     ("attenuation-linear", Light(Role::AttenuationLinear)),
     ("attenuation-quadratic", Light(Role::AttenuationQuadratic)),
@@ -234,6 +237,7 @@ impl Role {
             | Self::AmbientStrength(i)
             | Self::DiffuseStrength(i)
             | Self::SpecularStrength(i)
+            | Self::Strengths(i)
             | Self::AttenuationConstant(i)
             | Self::AttenuationLinear(i)
             | Self::AttenuationQuadratic(i)
@@ -264,6 +268,31 @@ impl Role {
             (Self::NormalMatrix | Self::NormalMatrixOfModelView, true) => Self::NormalMatrixOfModelView,
             _ => return None,
         })
+    }
+
+    /// Whether it is a colour of a light or of the material.
+    #[must_use]
+    pub const fn is_colour(self) -> bool {
+        matches!(
+            self,
+            Self::LightColor(_)
+                | Self::AmbientColor(_)
+                | Self::DiffuseColor(_)
+                | Self::SpecularColor(_)
+                | Self::MaterialColor
+                | Self::MaterialAmbient
+                | Self::MaterialDiffuse
+                | Self::MaterialSpecular
+        )
+    }
+
+    /// Whether it is a light's strength, or several.
+    #[must_use]
+    pub const fn is_strength(self) -> bool {
+        matches!(
+            self,
+            Self::AmbientStrength(_) | Self::DiffuseStrength(_) | Self::SpecularStrength(_) | Self::Strengths(_)
+        )
     }
 
     /// Whether it is a role of attributes.
@@ -338,7 +367,7 @@ mod tests {
 
     #[test]
     fn role_names_survive_a_round_trip() {
-        assert_eq!(Role::all().count(), 62);
+        assert_eq!(Role::all().count(), 63);
         for role in Role::all() {
             assert_eq!(role.to_string().parse(), Ok(role));
             let third = role.with_light(2);

@@ -1,7 +1,7 @@
 //! Derives a role from the words of a name and the type of its variable alone; `context` then considers the others.
 
 use super::role::Role;
-use super::words::Words;
+use super::words::{UNKNOWN, Words};
 
 /// The kind of value that a GLSL type holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -235,7 +235,17 @@ fn matrix(words: &Words) -> Option<Role> {
         return None;
     }
     if let Some(role) = between_spaces(&words.order) {
-        return Some(role);
+        // `normalWorldFromModel`
+        return match (words.has("normal") || words.has("transpose"), role) {
+            (false, _) => Some(role),
+            (true, Role::Model) => Some(Role::NormalMatrix),
+            (true, Role::ModelView) => Some(Role::NormalMatrixOfModelView),
+            (true, _) => None,
+        };
+    }
+    // From which space it leads to which is said by a word of another language.
+    if words.order.windows(3).any(|three| is_space(three[0]) && three[1] == UNKNOWN && is_space(three[2])) {
+        return None;
     }
     let spelt = |word: &str| words.has(word);
     // Beside words a letter is a prefix (`mModel`, `u_model`); alone it is the matrix (`M`, `u_M`, `itM`).
@@ -280,6 +290,11 @@ fn matrix(words: &Words) -> Option<Role> {
     }
 }
 
+/// Whether a word means a space.
+fn is_space(word: &str) -> bool {
+    matches!(word, "model" | "object" | "world" | "view" | "camera" | "clip" | "proj" | "screen")
+}
+
 /// Returns the role of names such as `world_from_model` and `modelToWorld`.
 fn between_spaces(order: &[&str]) -> Option<Role> {
     let at = order.iter().position(|word| matches!(*word, "from" | "to"))?;
@@ -302,6 +317,9 @@ fn between_spaces(order: &[&str]) -> Option<Role> {
         (0, 2) => Role::ModelView,
         (1, 3) => Role::ViewProjection,
         (0, 3) => Role::ModelViewProjection,
+        (1, 0) => Role::ModelInverse,
+        (2, 1) => Role::ViewInverse,
+        (2, 0) => Role::ModelViewInverse,
         _ => return None,
     })
 }

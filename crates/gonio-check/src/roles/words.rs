@@ -9,23 +9,29 @@ use std::sync::LazyLock;
 const MEANINGS: &[(&str, &str)] = &[
     // Object, light and viewer.
     (
-        "light lights lighting lightning lamp lamps lampe lum luminaire lumiere lumieres lumière lumières sun soleil spotlight spot pointlight licht lightsource luz luces",
+        "light lights lighting lightning lamp lamps lampe lum luminaire lumiere lumieres lumière lumières sun soleil spotlight spot pointlight licht lightsource luz luces luce luci swiatlo światło swiatla światła lampa lampy lampada ljus lys lumina",
         "light",
     ),
     (
-        "view eye eyes viewer viewing observer observateur oeil œil vue regard vista ansicht sicht blick auge ojo",
+        "view kijk oog eye eyes viewer viewing observer observateur oeil œil vue regard vista ansicht sicht blick auge ojo occhio osservatore olho visao visão widok oko",
         "view",
     ),
-    ("camera cam caméra kamera camara cámara", "camera"),
-    ("material materiau matériau mtl surface surf", "material"),
+    ("camera cam caméra kamera camara cámara câmera câmara telecamera", "camera"),
+    ("material materiau matériau materiale mtl surface surf superficie powierzchnia", "material"),
     ("mat", "mat"),
-    ("object obj objet objekt mesh objeto", "object"),
-    ("model modele modèle modell local modelo", "model"),
-    ("world monde ws wc welt mundo", "world"),
+    ("object obj objet objekt mesh objeto oggetto obiekt", "object"),
+    ("model modele modèle modell local modelo modello lokal locale", "model"),
+    ("world monde ws wc welt wereld mundo mondo swiat świat", "world"),
     ("vertex vert vertices vertexes sommet sommets vtx", "vertex"),
     // Kinds of quantity.
-    ("pos posicion posición position positions postion postition posn location loc place origin", "pos"),
-    ("dir direction directions dirs vec vector vect", "dir"),
+    (
+        "pos posizione pozycja posicao posição positie ort polozenie położenie posicion posición position positions postion postition posn location loc place origin",
+        "pos",
+    ),
+    (
+        "dir direction directions dirs direzione richtung direccion dirección direcao direção kierunek vec vector vect vettore vektor wektor",
+        "dir",
+    ),
     ("front forward look avant devant vorne gaze", "front"),
     ("up upward upwards haut oben", "up"),
     ("right droite rechts", "right"),
@@ -34,18 +40,24 @@ const MEANINGS: &[(&str, &str)] = &[
     ("at", "at"),
     ("yaw lacet", "yaw"),
     ("pitch tangage", "pitch"),
-    ("color colour colors colours col couleur couleurs clr rgb rgba tint teinte farbe farben", "color"),
     (
-        "strength fuerza staerke stärke intensidad intensitaet intensität intensity intensite intensité factor coefficient coeff coef coeffs coefs amount force strenght level",
+        "color colour colors colours col couleur couleurs clr rgb rgba tint teinte farbe farben colore colori kolor kleur cor barva farg färg renk iro",
+        "color",
+    ),
+    (
+        "strength intensita intensità intensidade forza forca força sila siła natezenie natężenie fuerza staerke stärke intensidad intensitaet intensität intensity intensite intensité factor coefficient coeff coef coeffs coefs amount force strenght strengths intensities koeff koeffizienten koeffizient coefficients koeficienty sterkte sterktes level",
         "strength",
     ),
     ("count num number nb nbr nombre nr total", "count"),
     ("space espace", "space"),
     // The terms of the light equation.
-    ("ambient ambiente ambientes umgebung amb ambiant ambiante ambience ambiance", "ambient"),
-    ("diffuse diffuses difusa difuso diff dif diffus difuse diffused diffusion", "diffuse"),
-    ("specular especular spekular spekulares spec speculaire spéculaire specularity specu", "specular"),
-    ("emissive emission emitted emit emissif ke", "emitted"),
+    ("ambient ambiente ambientes umgebung ambientale otoczenie amb ambiant ambiante ambience ambiance", "ambient"),
+    (
+        "diffuse diffuses diffusa diffuso rozproszenie rozproszone difusa difuso diff dif diffus difuse diffused diffusion",
+        "diffuse",
+    ),
+    ("specular speculare especular spekular spekulares spec speculaire spéculaire specularity specu", "specular"),
+    ("emissive emission emitted emit emissif emissie emissione emision emisión emissão emisja ke", "emitted"),
     ("albedo base", "albedo"),
     ("ka", "ka"),
     ("kd", "kd"),
@@ -54,14 +66,17 @@ const MEANINGS: &[(&str, &str)] = &[
     ("ld", "light diffuse"),
     ("ls", "light specular"),
     (
-        "attenuation atenuacion atenuación daempfung dämpfung abschwaechung att atten attenuations falloff",
+        "attenuation demping attenuazione atenuacao atenuação oslabienie osłabienie tlumienie tłumienie atenuacion atenuación daempfung dämpfung abschwaechung att atten attenuations falloff",
         "attenuation",
     ),
-    ("constant konstant konstante const cst constante kc", "constant"),
-    ("linear lineal linéaire lineaire lin kl", "linear"),
-    ("quadratic quadratisch quadratische cuadratica cuadrática cuadratico quad quadratique quadr kq", "quadratic"),
+    ("constant costante stala stała konstant konstante const cst constante kc", "constant"),
+    ("linear lineare liniowy liniowe lineal linéaire lineaire lin kl", "linear"),
     (
-        "shininess shine shiny shinines shinyness shinness shinniness gloss glossiness brillance brilliance brillo glanz ns",
+        "quadratic quadratico quadratica kwadratowy kwadratowe quadratisch quadratische cuadratica cuadrática cuadratico quad quadratique quadr kq",
+        "quadratic",
+    ),
+    (
+        "shininess shine shiny shinines shinyness shinness shinniness gloss glossiness brillance brilliance brillo brillantezza lucentezza brilho polysk połysk glanz ns",
         "shininess",
     ),
     ("roughness rough rugosite rugosité rauheit rauigkeit rugosidad aspereza", "roughness"),
@@ -77,11 +92,17 @@ const MEANINGS: &[(&str, &str)] = &[
     ("ratio rapport", "ratio"),
     ("eta", "refraction ratio"),
     // Matrices.
-    ("proj projektion proyeccion proyección projection perspective persp", "proj"),
-    ("matrix matriz matrice mtx matrixs", "matrix"),
+    (
+        "proj projektion proyeccion proyección proiezione projecao projeção projekcja rzutowanie rzut projection perspective persp",
+        "proj",
+    ),
+    ("matrix matriz matrice mtx matrixs macierz", "matrix"),
     ("transform transformation transf transforms xform", "transform"),
-    ("inv inverse inversed invert inverted", "inverse"),
-    ("transpose transp transposed transposee tr", "transpose"),
+    ("inv inverse inversed invert inverted inversa inverso odwrotna", "inverse"),
+    (
+        "transpose transp transposed transposee transposée trasposta trasp traspuesta transponiert transponierte tr",
+        "transpose",
+    ),
     ("trans", "trans"),
     ("it ti invtr invt tinv cofactor cofactors cof adjugate", "inverse transpose"),
     ("itm tim mit invtm", "inverse transpose m"),
@@ -94,7 +115,7 @@ const MEANINGS: &[(&str, &str)] = &[
     ("tex texture textures txt sampler map maps image img", "tex"),
     ("uv uvs st texcoord texcoords texcoor", "tex coord"),
     ("coord coords coordinate coordinates coordonnees", "coord"),
-    ("normal normals normale normales normalen norm nrm nor bump", "normal"),
+    ("normal normals normale normales normalen norm nrm nor bump normalna normalne normali", "normal"),
     ("nm nmat nmatrix", "normal matrix"),
     ("tangent tangents tangente tan", "tangent"),
     ("bitangent binormal bitan", "blocked"),
@@ -103,7 +124,7 @@ const MEANINGS: &[(&str, &str)] = &[
     ("sky ciel", "sky"),
     ("env environment environnement envmap", "env"),
     (
-        "reflect refl reflection reflexion reflected reflechi réfléchi reflet reflejado reflejada reflejo reflektiert",
+        "reflect riflesso odbicie refl reflection reflexion reflected reflechi réfléchi reflet reflejado reflejada reflejo reflektiert",
         "reflect",
     ),
     ("panorama pano equirect equirectangular equi latlong hdr hdri spherical skydome", "panorama"),
@@ -112,9 +133,9 @@ const MEANINGS: &[(&str, &str)] = &[
     ("resolution viewport screen window fenetre", "screen"),
     ("size dim dimensions", "size"),
     ("face faces side cubeface layer seite", "face"),
-    ("from", "from"),
-    ("to", "to"),
-    ("clip ndc", "clip"),
+    ("from aus von depuis desde dal", "from"),
+    ("to nach zu zur vers hacia towards into", "to"),
+    ("clip ndc bild", "clip"),
     ("k", "strength"),
     // Words that change the meaning of the others.
     (
@@ -133,6 +154,9 @@ const MEANINGS: &[(&str, &str)] = &[
     ),
 ];
 
+/// A word that is not in the list.
+pub(super) const UNKNOWN: &str = "?";
+
 /// The words of a name.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Words {
@@ -142,7 +166,7 @@ pub(super) struct Words {
     pub(super) number: Option<u32>,
     /// Single letters in order, capital or not: `M`, `V`, `P`, `N`.
     pub(super) letters: Vec<char>,
-    /// The meanings in order, including `from` and `to`.
+    /// The meanings in order, including `from` and `to`, and [`UNKNOWN`] for each word without a meaning.
     pub(super) order: Vec<&'static str>,
 }
 
@@ -165,8 +189,14 @@ impl Words {
         let mut words = Self::default();
         let parts = words_of(name);
         let mut at = 0;
+        // `world2view`
+        let is_between = |at: usize| at >= 2 && parts.len() > at && parts[at - 2].len() > 1 && parts[at].len() > 1;
         while let Some(word) = parts.get(at) {
             at += 1;
+            if word == "2" && is_between(at) {
+                words.order.push("to");
+                continue;
+            }
             if let Ok(number) = word.parse() {
                 words.number = Some(number);
                 continue;
@@ -185,6 +215,10 @@ impl Words {
                 && parts.get(at).and_then(|next| meaning(next)).is_some_and(|m| matches!(m, "pos" | "dir" | "color"));
             match word.chars().next() {
                 Some(_) if is_light => words.add("light"),
+                // `mProiezione`: a prefix, not M.
+                Some(_)
+                    if word.len() == 1 && at == 1 && name.starts_with(char::is_lowercase) && is_unknown(&parts, at) => {
+                }
                 Some(letter) if word.len() == 1 && word != "k" => words.letters.push(letter),
                 _ => words.add_word(word),
             }
@@ -217,7 +251,18 @@ impl Words {
             }
         }
         self.add(best.1);
+        if best.1.is_empty() {
+            self.order.push(UNKNOWN);
+        }
     }
+}
+
+/// Whether there is a word at a place that has no meaning.
+fn is_unknown(parts: &[String], at: usize) -> bool {
+    let Some(word) = parts.get(at).filter(|word| word.len() > 1 && word.parse::<u32>().is_err()) else { return false };
+    let mut words = Words::default();
+    words.add_word(word);
+    words.order.contains(&UNKNOWN)
 }
 
 fn meaning(word: &str) -> Option<&'static str> {

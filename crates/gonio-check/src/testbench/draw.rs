@@ -1,6 +1,6 @@
 //! Draws programs in all test scenes at once.
 
-use super::{CUBEMAP_UNIT, SKY_SIDE, TestScene, TestShape, WHITE_UNIT, numbers_of_array, samplers, sky_faces, unit};
+use super::{CUBEMAP_UNIT, SKY_SIDE, TestScene, TestShape, WHITE_UNIT, numbers_of, samplers, sky_faces, unit};
 use crate::roles::{Bindings, Bound, Role, VariableKind};
 use gonio_gl::{Gl, GlError};
 use gonio_render::user_program::{FloatTexture, NOT_DRAWN, Stream, StreamMesh, TileTarget, UserProgram};
@@ -95,7 +95,7 @@ impl Testbench {
                     let glsl_type = bound.declared.glsl_type.as_str();
                     let values = match unit(&bound.declared.name, glsl_type) {
                         Some(_) => None,
-                        None => numbers_of_array(bound.role, glsl_type, bound.declared.array, &test_scene),
+                        None => numbers_of(bindings, bound, &test_scene),
                     };
                     Some((index, values?))
                 };

@@ -1,7 +1,7 @@
 //! The inputs of programs in a test scene: the value of each uniform with a known role, and the texture of each sampler.
 
 use super::{TestLight, TestScene};
-use crate::roles::{Bindings, Role, VariableKind};
+use crate::roles::{Bindings, Bound, Role, VariableKind};
 use glam::{Mat3, Mat4, Vec3};
 use gonio_glsl::{Scalar, Type};
 use gonio_render::user_program::UserProgram;
@@ -71,6 +71,10 @@ pub fn numbers(role: Role, glsl_type: &str, test_scene: &TestScene) -> Option<Ve
         Role::AmbientColor(index) | Role::AmbientStrength(index) => grey(light_of(index).ambient),
         Role::DiffuseColor(index) | Role::DiffuseStrength(index) => grey(light_of(index).diffuse),
         Role::SpecularColor(index) | Role::SpecularStrength(index) => grey(light_of(index).specular),
+        Role::Strengths(index) => {
+            let light = light_of(index);
+            vec![light.ambient, light.diffuse, light.specular, 1.0]
+        }
         Role::AttenuationConstant(index) => grey(light_of(index).attenuation[0]),
         Role::AttenuationLinear(index) => grey(light_of(index).attenuation[1]),
         Role::AttenuationQuadratic(index) => grey(light_of(index).attenuation[2]),
@@ -92,8 +96,19 @@ pub fn numbers(role: Role, glsl_type: &str, test_scene: &TestScene) -> Option<Ve
     })
 }
 
+/// Returns the value of a variable with a role; `None` if the test scene has none.
+pub fn numbers_of(bindings: &Bindings, bound: &Bound, test_scene: &TestScene) -> Option<Vec<f32>> {
+    let declared = &bound.declared;
+    let mut values = numbers_of_array(bound.role, &declared.glsl_type, declared.array, test_scene)?;
+    if let Some(last) = bindings.last_of(declared) {
+        values.resize(4, 1.0);
+        values[3] = *numbers(last.role, &last.declared.glsl_type, test_scene)?.first()?;
+    }
+    Some(values)
+}
+
 /// Returns the value of an array: elements of lights belong to consecutive lights, others are all the same.
-pub fn numbers_of_array(role: Role, glsl_type: &str, elements: u32, test_scene: &TestScene) -> Option<Vec<f32>> {
+fn numbers_of_array(role: Role, glsl_type: &str, elements: u32, test_scene: &TestScene) -> Option<Vec<f32>> {
     if elements <= 1 {
         return numbers(role, glsl_type, test_scene);
     }

@@ -8,7 +8,7 @@ mod sky;
 
 pub use draw::{Atlas, ProgramInputs, TILE, Testbench, stream_of};
 use gonio_gl::{Dialect, Gl};
-pub use inputs::{CUBEMAP_UNIT, WHITE_UNIT, numbers, numbers_of_array, samplers, uniform_bits, unit};
+pub use inputs::{CUBEMAP_UNIT, WHITE_UNIT, numbers, numbers_of, samplers, uniform_bits, unit};
 pub use mesh::{TestMesh, TestShape};
 pub use scene::{TestLight, TestScene};
 pub use sky::{SKY_SIDE, radiance, sky_faces};

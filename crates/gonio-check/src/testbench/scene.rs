@@ -238,7 +238,12 @@ pub fn lit() -> Vec<TestScene> {
             world_from_model: placed([-0.3, 0.2, 0.1], [10.0, 20.0, 0.0], [0.5; 3]),
             eye: Vec3::new(0.5, 0.5, 1.6),
             target: Vec3::new(-0.3, 0.2, 0.1),
-            light: TestLight { position: Vec3::new(0.5, 0.8, 0.9), ..LAB_LIGHT },
+            light: TestLight {
+                position: Vec3::new(0.5, 0.8, 0.9),
+                // Elsewhere the constant is 1, by which nothing needs to be divided.
+                attenuation: [0.7, 0.2, 0.1],
+                ..LAB_LIGHT
+            },
             ..base("coarse", "check-scene-coarse")
         },
         TestScene {

@@ -54,6 +54,7 @@ pub(super) fn origin(role: Role) -> String {
         Role::LightHalfVector(i) => light(i, tr!("check-inputs-half-vector")),
         Role::LightColor(i) | Role::DiffuseColor(i) | Role::SpecularColor(i) => light(i, tr!("check-inputs-colour")),
         Role::DiffuseStrength(i) | Role::SpecularStrength(i) => light(i, tr!("check-inputs-strength")),
+        Role::Strengths(i) => light(i, tr!("check-inputs-strength")),
         Role::AmbientColor(_) | Role::AmbientStrength(_) => tr!("check-inputs-the-ambient-light").to_owned(),
         Role::AttenuationConstant(i)
         | Role::AttenuationLinear(i)
@@ -170,6 +171,11 @@ fn value(role: Role, glsl_type: &str, input: &DrawInputs<'_>) -> Option<Vec<f32>
             color(light(i).map_or(DVec3::ZERO, |light| light.color))
         }
         Role::DiffuseStrength(i) | Role::SpecularStrength(i) => number(if light(i).is_some() { 1.0 } else { 0.0 }),
+        Role::Strengths(i) => {
+            let lit = if light(i).is_some() { 1.0 } else { 0.0 };
+            let of_ambient = if i == 0 { ambient().element_sum() / 3.0 } else { 0.0 };
+            vector(DVec3::new(of_ambient, lit, lit), 1.0)
+        }
         Role::AmbientColor(0) => color(ambient()),
         Role::AmbientStrength(0) => number(ambient().element_sum() / 3.0),
         Role::AmbientColor(_) | Role::AmbientStrength(_) => number(0.0),

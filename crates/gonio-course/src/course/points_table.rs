@@ -33,7 +33,7 @@ pub(super) fn read_points(t: &mut TableReader<'_>, own: Option<&[String]>) -> Re
         return Err(Fault::at(&table.place("other_mistake"), cost_message("other_mistake", cost)));
     }
     let terms = costs(terms, "term", &TERMS.map(str::to_owned))?;
-    let catalogue = || mistakes::all().iter().chain(&mistakes::structural()).map(|m| m.id.clone()).collect();
+    let catalogue = || mistakes::all().iter().chain(mistakes::structural()).map(|m| m.id.clone()).collect();
     let known: Vec<String> = own.map_or_else(catalogue, <[String]>::to_vec);
     let mistakes = costs(of_mistakes, "mistake", &known)?;
     Ok(Some(PointScheme { total, terms, mistakes, other_mistake }))

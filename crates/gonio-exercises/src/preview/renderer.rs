@@ -1,9 +1,9 @@
 //! Draws previews, with meshes, the sky and a white texture on the GPU.
 
 use super::{CompiledPair, PreviewScene, PreviewShape};
-use gonio_check::roles::{Bound, Role, VariableKind};
+use gonio_check::roles::{Bindings, Bound, Role, VariableKind};
 use gonio_check::testbench::{
-    CUBEMAP_UNIT, SKY_SIDE, TestScene, WHITE_UNIT, numbers_of_array, samplers, sky_faces, stream_of, unit,
+    CUBEMAP_UNIT, SKY_SIDE, TestScene, WHITE_UNIT, numbers_of, samplers, sky_faces, stream_of, unit,
 };
 use gonio_gl::{Gl, GlError};
 use gonio_language::tr;
@@ -87,7 +87,7 @@ impl PreviewRenderer {
         for (shape, test_scene) in objects {
             let is_number = |bound: &&Bound| unit(&bound.declared.name, &bound.declared.glsl_type).is_none();
             for bound in of_kind(pair, VariableKind::Uniform).filter(is_number) {
-                if let Some(values) = held(bound, test_scene) {
+                if let Some(values) = held(&pair.bindings, bound, test_scene) {
                     pair.program.set(&bound.declared.name, &values);
                 }
             }
@@ -103,11 +103,11 @@ fn of_kind(pair: &CompiledPair, kind: VariableKind) -> impl Iterator<Item = &Bou
 }
 
 /// The numbers of a uniform.
-pub(crate) fn held(bound: &Bound, test_scene: &TestScene) -> Option<Vec<f32>> {
+pub(crate) fn held(bindings: &Bindings, bound: &Bound, test_scene: &TestScene) -> Option<Vec<f32>> {
     let glsl_type = bound.declared.glsl_type.as_str();
     match unit(&bound.declared.name, glsl_type) {
         Some(unit) => Some(vec![unit as f32]),
-        None => numbers_of_array(bound.role, glsl_type, bound.declared.array, test_scene),
+        None => numbers_of(bindings, bound, test_scene),
     }
 }
 
@@ -120,7 +120,7 @@ impl CompiledPair {
     /// Every attribute and uniform, with its role and its value in a test scene.
     pub fn variable_values(&self, test_scene: &TestScene) -> Vec<VariableValue> {
         let bound = self.bindings.bound.iter().map(|bound| {
-            let value = match (bound.declared.kind, held(bound, test_scene)) {
+            let value = match (bound.declared.kind, held(&self.bindings, bound, test_scene)) {
                 (VariableKind::Attribute, _) if stream_of(bound.role).is_some() => {
                     tr!("check-preview-from-the-mesh").to_owned()
                 }

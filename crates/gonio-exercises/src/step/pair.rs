@@ -84,7 +84,11 @@ impl SteppedStage {
         if let Some(fixed) = fixed {
             return Some(fixed.values.clone());
         }
-        held(bindings.bound.iter().find(|found| bound(found.declared.kind, &found.declared.name))?, test_scene)
+        held(
+            bindings,
+            bindings.bound.iter().find(|found| bound(found.declared.kind, &found.declared.name))?,
+            test_scene,
+        )
     }
 
     /// Sets the attributes of all vertices.

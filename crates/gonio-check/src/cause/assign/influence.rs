@@ -4,7 +4,7 @@
 //! Unlike the number of right values, this does not change much where the program has a mistake.
 
 use super::probe::{Influence, Input, Probe, differ, is_exponent, powers, spread};
-use crate::cause::program::{Program, Runner};
+use crate::cause::program::{Program, Runner, index_of};
 use crate::cause::samples::SceneSamples;
 use crate::cause::seeing::see;
 use crate::roles::{Bound, Declared, Fixed, How, Role, VariableKind};
@@ -23,12 +23,6 @@ fn without_indices(name: &str) -> String {
         !is_index && *c != ']'
     };
     name.chars().filter(is_kept).collect()
-}
-
-/// The first index in a name: the number of a light.
-fn index_of(name: &str) -> u32 {
-    let index = name.split_once('[').and_then(|(_, rest)| rest.split_once(']'));
-    index.and_then(|(index, _)| index.parse().ok()).unwrap_or(0)
 }
 
 /// The inputs that are varied, elements of arrays of structs together.

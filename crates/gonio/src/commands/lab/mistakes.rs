@@ -39,7 +39,7 @@ pub fn run(args: &MistakesArgs, reporter: &Reporter) -> Result<CommandOutcome, C
 pub fn by_kind() -> [(&'static str, Vec<Mistake>); 3] {
     [
         ("A quantity that is computed wrongly", mistakes::all().to_vec()),
-        ("The program as a whole", structural()),
+        ("The program as a whole", structural().to_vec()),
         ("Baking", gonio_exercises::baking::mistakes().to_vec()),
     ]
 }
