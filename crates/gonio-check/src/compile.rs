@@ -235,3 +235,24 @@ pub(crate) fn strictness(vertex: &ParsedStage<'_>, fragment: &ParsedStage<'_>) -
     warnings.truncate(MOST_MESSAGES);
     warnings
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn inputs_get_the_names_of_the_outputs_at_their_locations() {
+        let vertex = "#version 410 core\nlayout(location = 0) out vec3 a;\nlayout(location = 1) out vec3 b;\nlayout(location = 2) out vec2 uv;\n\
+                      void main() { a = b = vec3(1.0); uv = vec2(0.0); gl_Position = vec4(0.0); }\n";
+        let fragment = "#version 410 core\nlayout(location = 1) in vec3 a;\nlayout(location = 0) in vec3 other;\nlayout(location = 2) in vec2 st;\n\
+                        out vec4 c;\nstruct S { vec3 a; };\nvoid main() { S s = S(a); float uv = st.x; c = vec4(s.a * other, uv); }\n";
+        let texts = [StageText::whole("a.vert", vertex), StageText::whole("a.frag", fragment)];
+        let vertex = ParsedStage::new(&texts[0], Stage::Vertex, OutputVersion::Core330);
+        let fragment = ParsedStage::new(&texts[1], Stage::Fragment, OutputVersion::Core330);
+        let text = with_names_of(&vertex, &fragment);
+        // The two change places; a member and a local variable keep their names.
+        for part in ["vec3 b;", "vec3 a;", "S(b)", "s.a * a", "float uv = st.x"] {
+            assert!(text.contains(part), "{part} in {text}");
+        }
+    }
+}
