@@ -344,6 +344,21 @@ fn a_mistake_in_no_list_gets_its_line_and_the_right_quantity() {
     assert!(cause.text == "2.0 * p" && cause.should.contains("the position"), "{cause:?}");
 }
 
+#[test]
+fn a_sky_with_a_depth_of_its_own_is_right_and_marked() {
+    let fragment = "#version 330 core\nin vec3 d; uniform samplerCube cubemapSampler; out vec4 c;\n\
+                    void main() { c = texture(cubemapSampler, d); }\n";
+    for (place, expected) in [("clip.xyww", false), ("clip", true), ("vec4(clip.xy, 0.0, clip.w)", true)] {
+        let vertex = format!(
+            "#version 330 core\nin vec3 position; uniform mat4 V, P; out vec3 d;\n\
+             void main() {{ d = position; vec4 clip = P * mat4(mat3(V)) * vec4(position, 1.0); gl_Position = {place}; }}\n"
+        );
+        let diagnosis = of_exercise("ex08", &vertex, fragment);
+        assert!(matches!(diagnosis.found, Found::Right(_)), "{:?}", diagnosis.found);
+        assert_eq!(diagnosis.has_own_depth, expected, "{place}");
+    }
+}
+
 /// What is right in the corpus's first answer to exercise 12, and what is in no list.
 const BESIDE_WARD: [(&str, &str); 5] = [
     ("sqrt(NL * NV)", "sqrt(NL * NV * NV)"),

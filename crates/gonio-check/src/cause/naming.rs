@@ -1,7 +1,7 @@
 //! Names for proven repairs: the mistakes of the catalogue that assign the same wrong quantity to the same variable.
 
 use super::model::{Quantity, TELLING};
-use super::observed::{Observed, Observer, SCALED, SUMS, TERMS, is_name};
+use super::observed::{Observed, Observer, SCALED, SUMS, TERMS, assignment, is_name};
 use super::program::Change;
 use super::proven_cause::ProvenCause;
 use super::ranking::Ranking;
@@ -70,10 +70,7 @@ impl Observer<'_> {
         let right = &self.model.quantities[repair.quantity()?].values;
         let of_variable = || observed.iter().filter(|other| other.stage == seen.stage && other.expr < seen.expr);
         let is_compound = |other: &&Observed| {
-            let changed = self.text(other).strip_prefix(name).map(str::trim_start);
-            let is_changed =
-                changed.is_some_and(|rest| rest.get(1..2) == Some("=") && rest.starts_with(['+', '-', '*', '/']));
-            is_changed && other.values.is_same(&seen.values)
+            assignment(self.text(other)) == Some((name, true)) && other.values.is_same(&seen.values)
         };
         let had_right = |other: &Observed| {
             program.variable_set_to(other.stage, other.expr) == Some(name) && other.values.is_same(right)

@@ -61,9 +61,15 @@ pub(super) const SUMS: [&str; 4] = ["attenuated", "lit", "colour", "FragColor"];
 
 /// Whether an expression assigns; its value is that of its right side.
 pub(super) fn is_assignment(text: &str) -> bool {
+    assignment(text).is_some()
+}
+
+/// The variable that an expression assigns to, and whether by an operator such as `+=`.
+pub(super) fn assignment(text: &str) -> Option<(&str, bool)> {
     let after = text.trim_start_matches(|c: char| c.is_ascii_alphanumeric() || "_.[] \t".contains(c));
-    let after = after.strip_prefix(['+', '-', '*', '/']).unwrap_or(after);
-    after.starts_with('=') && !after.starts_with("==")
+    let variable = text[..text.len() - after.len()].trim();
+    let equals = after.strip_prefix(['+', '-', '*', '/']).unwrap_or(after);
+    (equals.starts_with('=') && !equals.starts_with("==")).then_some((variable, equals.len() < after.len()))
 }
 
 /// Whether an expression only reads a variable, or a member of one.

@@ -4,7 +4,7 @@
 use super::explanation::{Explanation, strengthen};
 use super::model::Space;
 use super::naming::is_of_no_term;
-use super::observed::{SCALED, is_assignment, is_name};
+use super::observed::{SCALED, assignment, is_assignment, is_name};
 use super::program::{Program, Runner};
 use super::recording::{Recorded, STAGES, TELLING, observe};
 use super::samples::SceneSamples;
@@ -260,12 +260,8 @@ fn of_lights(
     let calls = others.clone().filter(|seen| program.is_call(seen.stage, seen.expr));
     let by_order = |seen: &&Recorded| seen.order;
     // In a loop over the lights, what is set again is lost.
-    let is_set_again = |seen: &&Recorded| {
-        let text = text(seen);
-        let operator = text.split_once('=').and_then(|(before, _)| before.trim_end().chars().last());
-        let is_plain = operator.is_some_and(|last| !"+-*/".contains(last));
-        seen.occurrence > 0 && is_assignment(text) && is_plain
-    };
+    let is_set_again =
+        |seen: &&Recorded| seen.occurrence > 0 && assignment(text(seen)).is_some_and(|(_, by_operator)| !by_operator);
     if let (Lights::Second | Lights::SecondOneAmbient, Some(last)) =
         (explanation.lights, observed.iter().filter(is_set_again).max_by_key(by_order))
     {

@@ -1,9 +1,9 @@
 //! Values that are not interpolated: varyings that are declared `flat`.
 
 use super::by_values::{Judged, Judging, ProgramValues, placed, wrong};
-use crate::cause::Diagnosis;
 use crate::cause::edit::{TextEdit, TextFix};
 use crate::cause::found::Found;
+use crate::cause::{Diagnosis, DiagnosisDepth};
 use crate::comparison::{ShaderChecker, endless_verdict, named};
 use crate::compile::ParsedStage;
 use crate::submission::StageText;
@@ -41,7 +41,7 @@ impl Judging<'_> {
         let targets = self.values.stages.map(|stage| stage.target);
         let vertex = ParsedStage::new(&vertex.text, Stage::Vertex, targets[0]);
         let fragment = ParsedStage::new(&fragment.text, Stage::Fragment, targets[1]);
-        let values = ProgramValues { stages: [&vertex, &fragment], ..self.values };
+        let values = ProgramValues { stages: [&vertex, &fragment], depth: DiagnosisDepth::Right, ..self.values };
         let Some(right) = values.diagnose(&checker.solutions).filter(|right| matches!(right.found, Found::Right(_)))
         else {
             return Ok(None);

@@ -169,15 +169,9 @@ impl Parameterisation {
         let is_whole = |role| is_material(role) && role != Role::MaterialSpecular;
         let material = if is_textured { has(&is_whole) } else { bindings_or_source(&is_whole) };
         let given = [
-            has_or_declares(&|role| {
-                matches!(role, Role::AmbientStrength(_) | Role::AmbientColor(_) | Role::Strengths(_))
-            }),
-            has_or_declares(&|role| {
-                matches!(role, Role::DiffuseStrength(_) | Role::DiffuseColor(_) | Role::Strengths(_))
-            }),
-            has_or_declares(&|role| {
-                matches!(role, Role::SpecularStrength(_) | Role::SpecularColor(_) | Role::Strengths(_))
-            }),
+            has_or_declares(&|role| role.scales(0)),
+            has_or_declares(&|role| role.scales(1)),
+            has_or_declares(&|role| role.scales(2)),
         ];
         let has_ambient_colour = bindings.bound.iter().any(|bound| {
             matches!(bound.role, Role::AmbientColor(_) | Role::MaterialAmbient) && bound.declared.glsl_type != "float"
@@ -188,20 +182,22 @@ impl Parameterisation {
         let is_direction = |role| matches!(role, Role::LightDirection(_) | Role::LightDirectionInView(_));
         let lit_from_outside =
             has(&|role| matches!(role, Role::LightPos(_) | Role::LightPosInView(_)) || is_direction(role));
-        let of_second = |is_match: &dyn Fn(Role) -> bool| {
+        // Whether an input with such a role belongs to this light, from 0, or a later one.
+        let of_light = |light: u32, is_match: &dyn Fn(Role) -> bool| {
             bindings.bound.iter().any(|bound| {
                 // Element i of an array belongs to light i.
                 let last = bound.role.light().map(|first| first.saturating_add(bound.declared.array.max(1) - 1));
-                last.is_some_and(|last| last >= 1) && is_match(bound.role)
+                last.is_some_and(|last| last >= light) && is_match(bound.role)
             })
         };
+        let of_second = |is_match: &dyn Fn(Role) -> bool| of_light(1, is_match);
         // A direction alone is that of a sun, but the exercises have lamps: it stays dark.
         let is_place = |role| matches!(role, Role::LightPos(_) | Role::LightPosInView(_));
         let coloured = of_second(&|role| matches!(role, Role::LightColor(_)));
         let own = [
-            of_second(&|role| matches!(role, Role::AmbientStrength(_) | Role::AmbientColor(_) | Role::Strengths(_))),
-            of_second(&|role| matches!(role, Role::DiffuseStrength(_) | Role::DiffuseColor(_) | Role::Strengths(_))),
-            of_second(&|role| matches!(role, Role::SpecularStrength(_) | Role::SpecularColor(_) | Role::Strengths(_))),
+            of_second(&|role| role.scales(0)),
+            of_second(&|role| role.scales(1)),
+            of_second(&|role| role.scales(2)),
             of_second(&|role| {
                 matches!(
                     role,
@@ -269,10 +265,7 @@ impl Parameterisation {
             own,
             coloured,
             counted: has(&|role| role == Role::LightCount),
-            has_more: bindings.bound.iter().any(|bound| {
-                let last = bound.role.light().map(|first| first.saturating_add(bound.declared.array.max(1) - 1));
-                is_place(bound.role) && last.is_some_and(|last| last >= 2)
-            }),
+            has_more: of_light(2, &is_place),
             other_light: constants.other_light.filter(|_| lit_from_outside),
             sun,
             upright: task.model.is_of_places() && !has(&determines_up),

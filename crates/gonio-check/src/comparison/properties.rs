@@ -87,18 +87,7 @@ impl Student<'_> {
 
     fn linear(&self, seen: &Atlas) -> Result<Option<Vec<usize>>, GlError> {
         let coloured = self.has(|role| matches!(role, Role::LightColor(_)));
-        let strong = self.has(|role| {
-            matches!(
-                role,
-                Role::AmbientStrength(_)
-                    | Role::AmbientColor(_)
-                    | Role::DiffuseStrength(_)
-                    | Role::DiffuseColor(_)
-                    | Role::SpecularStrength(_)
-                    | Role::SpecularColor(_)
-                    | Role::Strengths(_)
-            )
-        });
+        let strong = self.has(|role| (0..3).any(|term| role.scales(term)));
         if !coloured && !strong {
             return Ok(None);
         }

@@ -286,6 +286,18 @@ impl Role {
         )
     }
 
+    /// Whether it scales the light of a term, the ambient one first, as a strength or as a colour of that light.
+    #[must_use]
+    pub const fn scales(self, term: usize) -> bool {
+        match self {
+            Self::AmbientStrength(_) | Self::AmbientColor(_) => term == 0,
+            Self::DiffuseStrength(_) | Self::DiffuseColor(_) => term == 1,
+            Self::SpecularStrength(_) | Self::SpecularColor(_) => term == 2,
+            Self::Strengths(_) => true,
+            _ => false,
+        }
+    }
+
     /// Whether it is a light's strength, or several.
     #[must_use]
     pub const fn is_strength(self) -> bool {

@@ -53,8 +53,9 @@ pub(super) fn origin(role: Role) -> String {
         Role::LightDirectionInView(i) => light(i, tr!("check-inputs-direction-in-view-space")),
         Role::LightHalfVector(i) => light(i, tr!("check-inputs-half-vector")),
         Role::LightColor(i) | Role::DiffuseColor(i) | Role::SpecularColor(i) => light(i, tr!("check-inputs-colour")),
-        Role::DiffuseStrength(i) | Role::SpecularStrength(i) => light(i, tr!("check-inputs-strength")),
-        Role::Strengths(i) => light(i, tr!("check-inputs-strength")),
+        Role::DiffuseStrength(i) | Role::SpecularStrength(i) | Role::Strengths(i) => {
+            light(i, tr!("check-inputs-strength"))
+        }
         Role::AmbientColor(_) | Role::AmbientStrength(_) => tr!("check-inputs-the-ambient-light").to_owned(),
         Role::AttenuationConstant(i)
         | Role::AttenuationLinear(i)

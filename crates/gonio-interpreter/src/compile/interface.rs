@@ -2,7 +2,7 @@
 
 use super::{Compiler, Result, Variable, unsupported};
 use crate::code::{InputRate, Instr, StageInput, StageOutput};
-use crate::layout::OPEN_ARRAY;
+use crate::layout::{NamedPart, OPEN_ARRAY};
 use gonio_glsl::ast::{Declaration, InterfaceBlock, Qualifier, has};
 use gonio_glsl::{Span, Stage, Storage, SymbolKind, Type};
 
@@ -97,15 +97,13 @@ impl Compiler<'_> {
             for declarator in &member.declarators {
                 let Some((offset, ty)) = self.layouts.member(of, &declarator.name) else { continue };
                 let part = Variable { reg: whole.reg + offset, ty, traced: whole.traced };
-                let qualifiers = [&member.qualifiers[..], &block.qualifiers[..]].concat();
+                let qualifiers = [&block.qualifiers[..], &member.qualifiers[..]].concat();
                 let name = format!("{}.{}", block.name, declarator.name);
                 let own = exposed(&member.qualifiers, declarator.span).location;
                 location = own.or(location);
                 let exposed = Exposed { location, ..exposed(&qualifiers, declarator.span) };
                 self.expose(&name, &part, storage, false, &exposed)?;
-                let all = self.layouts.parts(&name, &part.ty);
-                let taken = all.iter().map(|part| locations(&part.ty, part.count)).sum::<i32>();
-                location = location.map(|first| first + taken);
+                location = self.located(&name, &part.ty, location).1;
             }
         }
         Ok(())
@@ -130,19 +128,16 @@ impl Compiler<'_> {
             Storage::Buffer => return Err(unsupported("a `buffer`", exposed.span.unwrap_or_default())),
             Storage::None | Storage::Const => return Ok(()),
         };
-        let mut location = exposed.location;
-        for part in self.layouts.parts(name, &variable.ty) {
+        for (part, location) in self.located(name, &variable.ty, exposed.location).0 {
             let each = self.size(&part.ty, exposed.span.unwrap_or_default())?;
             let index = self.inputs.len() as u32;
-            let own = location;
-            location = location.map(|first| first + locations(&part.ty, part.count));
             self.inputs.push(StageInput {
                 name: part.name,
                 ty: part.ty,
                 count: part.count,
                 rate,
                 interpolation: exposed.interpolation.clone(),
-                location: own,
+                location,
                 span: exposed.span,
                 reg: variable.reg + part.offset,
                 size: each * part.count,
@@ -153,18 +148,27 @@ impl Compiler<'_> {
         Ok(())
     }
 
+    /// The parts of a variable, each with its location, and the next location.
+    fn located(&self, name: &str, ty: &Type, first: Option<i32>) -> (Vec<(NamedPart, Option<i32>)>, Option<i32>) {
+        let mut next = first;
+        let with_location = |part: NamedPart| {
+            let location = next;
+            next = next.map(|first| first + locations(&part.ty, part.count));
+            (part, location)
+        };
+        let parts = self.layouts.parts(name, ty).into_iter().map(with_location).collect();
+        (parts, next)
+    }
+
     fn expose_output(&mut self, name: &str, variable: &Variable, exposed: &Exposed) {
-        let mut location = exposed.location;
-        for part in self.layouts.parts(name, &variable.ty) {
+        for (part, location) in self.located(name, &variable.ty, exposed.location).0 {
             let each = self.layouts.size(&part.ty).unwrap_or(0);
-            let own = location;
-            location = location.map(|first| first + locations(&part.ty, part.count));
             self.outputs.push(StageOutput {
                 name: part.name,
                 ty: part.ty,
                 count: part.count,
                 interpolation: exposed.interpolation.clone(),
-                location: own,
+                location,
                 span: exposed.span,
                 reg: variable.reg + part.offset,
                 size: each * part.count,

@@ -7,7 +7,7 @@ check-the-output-is-not-the-vertex = the output is not the vertex colour (`color
 check-the-lookup-is-right-in-every = the lookup is right in every scene; its colour is changed afterwards
 check-lookup-mixed = The colour of the cubemap is mixed with other colours; the pictures show the lookup alone
 check-only-the-lookup-was-judged = the colour of the cubemap is mixed with other colours; only the lookup was judged, and the pictures show it
-check-the-sky-has-a-depth-of-its-own = the sky is not at the largest depth (z = w), so it hides everything that is drawn before it, unless depth is not written
+check-the-sky-has-a-depth-of-its-own = the sky is nearer than the largest depth (z = w), so objects beyond its cube are hidden unless the sky is drawn first, without writing depth
 check-the-diffuse-light-is-drawn-in = The diffuse light is drawn in steps (toon shading)
 check-all-but-one-of-the-object = all but one of the object's colours are white
 check-right-in-every-test-scene-provided = right in every test scene, provided that { $assumptions }

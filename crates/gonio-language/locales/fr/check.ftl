@@ -7,7 +7,7 @@ check-the-output-is-not-the-vertex = la sortie n'est pas la couleur des sommets 
 check-the-lookup-is-right-in-every = la lecture est juste dans toutes les scènes ; sa couleur est modifiée ensuite
 check-lookup-mixed = La couleur de la cubemap est mélangée à d'autres couleurs ; les images ne montrent que la lecture
 check-only-the-lookup-was-judged = la couleur de la cubemap est mélangée à d'autres couleurs ; seule la lecture a été jugée, et ce sont les images de la lecture
-check-the-sky-has-a-depth-of-its-own = le ciel n'est pas à la profondeur maximale (z = w) ; il cache donc tout ce qui est dessiné avant lui, sauf si la profondeur n'est pas écrite
+check-the-sky-has-a-depth-of-its-own = le ciel est plus proche que la profondeur maximale (z = w) ; les objets au-delà de son cube sont donc cachés, sauf s'il est dessiné en premier, sans écrire la profondeur
 check-the-diffuse-light-is-drawn-in = La lumière diffuse est dessinée par paliers (ombrage « toon »)
 check-all-but-one-of-the-object = toutes les couleurs de l'objet sauf une sont blanches
 check-right-in-every-test-scene-provided = juste dans toutes les scènes de test, à condition que : { $assumptions }
