@@ -1,12 +1,14 @@
-//! Render targets: float targets, multisampled or not, and the encoded picture made from them.
+//! Render targets: targets of a scene, multisampled or not, and the encoded picture made from them.
 
 use crate::Dialect;
 use crate::objects::{Framebuffer, Renderbuffer, TextureObject};
 use crate::{Gl, GlError, Remedy, Texels};
 
-/// The precision of linear colours.
+/// The precision of a target's colours.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ColorPrecision {
+    /// 8 bits: for displayed colours, from 0 to 1.
+    Displayed,
     /// 16-bit floats, 11 bits of mantissa: enough for pictures of 8 bits a channel, and half the memory.
     Half,
     /// 32-bit floats: for linear output, and for comparisons.
@@ -16,8 +18,17 @@ pub enum ColorPrecision {
 impl ColorPrecision {
     fn format(self) -> u32 {
         match self {
+            ColorPrecision::Displayed => glow::RGBA8,
             ColorPrecision::Half => glow::RGBA16F,
             ColorPrecision::Full => glow::RGBA32F,
+        }
+    }
+
+    /// The type of the components of such texels in memory.
+    fn component(self) -> u32 {
+        match self {
+            ColorPrecision::Displayed => glow::UNSIGNED_BYTE,
+            ColorPrecision::Half | ColorPrecision::Full => glow::FLOAT,
         }
     }
 }
@@ -33,7 +44,7 @@ pub enum Sampling {
 
 impl Sampling {
     /// Texels along a pixel's side.
-    fn grid(self) -> i32 {
+    pub fn grid(self) -> i32 {
         match self {
             Sampling::Multi(_) => 1,
             Sampling::Grid(side) => side,
@@ -135,11 +146,11 @@ impl Target {
         precision: ColorPrecision,
     ) -> Result<Self, GlError> {
         let format = precision.format();
-        let float = (glow::RGBA, glow::FLOAT);
+        let transfer = (glow::RGBA, precision.component());
         let texels = size.map(|side| side * sampling.grid());
         let samples = if let Sampling::Multi(samples) = sampling { samples } else { 1 };
         let (drawn, color) = if samples <= 1 {
-            let (drawn, texture) = texture_target(gl, format, float, texels, "linear picture")?;
+            let (drawn, texture) = texture_target(gl, format, transfer, texels, "linear picture")?;
             (drawn, Color::Single(texture))
         } else if dialect == Dialect::Core330 {
             let texture = TextureObject::multisampled(gl, format, texels, samples, "samples")?;
@@ -147,7 +158,7 @@ impl Target {
             attach_texture(gl, glow::TEXTURE_2D_MULTISAMPLE, &texture);
             (drawn, Color::Samples(texture))
         } else {
-            let (resolved, texture) = texture_target(gl, format, float, texels, "linear picture")?;
+            let (resolved, texture) = texture_target(gl, format, transfer, texels, "linear picture")?;
             check_complete(gl, "linear picture", texels, 1)?;
             let buffer = Renderbuffer::new(gl, format, texels, samples, "samples")?;
             let drawn = Framebuffer::bound(gl, "samples")?;
@@ -157,7 +168,7 @@ impl Target {
         let depth_samples = if samples > 1 { samples } else { 0 };
         let depth = Renderbuffer::new(gl, glow::DEPTH_COMPONENT24, texels, depth_samples, "depth")?;
         attach_renderbuffer(gl, glow::DEPTH_ATTACHMENT, &depth);
-        check_complete(gl, "float target", texels, samples)?;
+        check_complete(gl, "target", texels, samples)?;
         Ok(Target { size, sampling, precision, drawn, _depth: depth, color })
     }
 

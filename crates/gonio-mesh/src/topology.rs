@@ -17,7 +17,7 @@ use std::collections::HashMap;
 /// Edges are not sorted but summed: each directed edge adds a hash to its start and subtracts it from its end, so that
 /// the sum of a vertex is 0 if all its edges are balanced, and otherwise is 0 with a probability of about 2^-64. Only
 /// the remaining vertices, those of seams, are looked up by position, and their edges summed again. This takes linear
-/// time with a small factor.
+/// time with a small factor. The steps are not inlined: browsers optimise whole functions, and small ones sooner.
 pub fn is_closed_outward(mesh: &Mesh) -> bool {
     if mesh.indices.is_empty() {
         return false;
@@ -28,6 +28,7 @@ pub fn is_closed_outward(mesh: &Mesh) -> bool {
 }
 
 /// Returns for each vertex the sum over its edges: 0 if, by index, all are balanced.
+#[inline(never)]
 fn edge_sums(mesh: &Mesh) -> Vec<u64> {
     let mut sums = vec![0_u64; mesh.positions.len()];
     for triangle in mesh.indices.as_chunks::<3>().0 {
@@ -41,6 +42,7 @@ fn edge_sums(mesh: &Mesh) -> Vec<u64> {
 }
 
 /// Returns for each vertex itself; for those with unbalanced edges the first of them at its position.
+#[inline(never)]
 fn places_of_seams(mesh: &Mesh, sums: &[u64]) -> Vec<u32> {
     let mut places: Vec<u32> = (0..sums.len() as u32).collect();
     let seam: Vec<u32> = (0..sums.len() as u32).filter(|&vertex| sums[vertex as usize] != 0).collect();
@@ -56,6 +58,7 @@ fn places_of_seams(mesh: &Mesh, sums: &[u64]) -> Vec<u32> {
 }
 
 /// Whether the edges along seams are balanced by place; all others are balanced by index.
+#[inline(never)]
 fn is_closed(mesh: &Mesh, sums: &[u64], place_of_vertex: &[u32]) -> bool {
     let mut whole = [0_u64; 2];
     for triangle in mesh.indices.as_chunks::<3>().0 {
@@ -79,6 +82,7 @@ fn is_closed(mesh: &Mesh, sums: &[u64], place_of_vertex: &[u32]) -> bool {
 }
 
 /// Whether each connected component of a closed surface encloses a positive volume.
+#[inline(never)]
 fn all_volumes_positive(mesh: &Mesh, place_of_vertex: &[u32]) -> bool {
     let mut pieces = DisjointSets::new(place_of_vertex.len());
     for triangle in mesh.indices.as_chunks::<3>().0 {

@@ -106,8 +106,17 @@ LightTerms light_terms(int kind, int light, vec3 position, vec3 n, vec3 v, float
     t.visibility = light_visibility(light, position, t.l);
 #endif
     t.cos_theta = dot(n, t.l);
+    // Some software drivers compute what nothing reads.
+#if VIEW || REFLECTANCE == REFLECTANCE_PHONG
     t.r = reflection(n, t.l);
+#else
+    t.r = vec3(0.0);
+#endif
+#if VIEW || REFLECTANCE == REFLECTANCE_BLINN_PHONG
     t.h = half_vector(t.l, v, n);
+#else
+    t.h = vec3(0.0);
+#endif
     t.spec = specular_factor(n, v, t.l, t.r, t.h, t.cos_theta, shininess);
     vec3 incident = color * (t.attenuation * t.spot * t.visibility);
 #if REFLECTANCE == REFLECTANCE_MATERIAL

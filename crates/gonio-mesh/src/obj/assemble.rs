@@ -13,6 +13,7 @@ const MANY_INDICES: usize = 1 << 17;
 /// Assembles the mesh, without parts. `indices` refer to `vertices`, three for each triangle.
 ///
 /// Most of this is about memory: arrays are freed as soon as possible, and reused in place where possible.
+#[inline(never)]
 pub(super) fn mesh(
     attributes: Attributes,
     vertices: Vertices,

@@ -51,6 +51,9 @@ const SMALLEST_GAP: usize = 1024;
 impl Attributes {
     /// Parses a piece of a file that begins and ends between two statements. `fast_path` enables the fast path, which
     /// only changes the speed.
+    ///
+    /// Browsers optimise whole functions: a loop that is alone in its function is fast sooner.
+    #[inline(never)]
     pub(super) fn parse(bytes: &[u8], piece: Range<usize>, fast_path: bool) -> Self {
         let mut attributes = Attributes { lines: 1, ..Attributes::default() };
         let mut at = piece.start;
@@ -203,6 +206,7 @@ impl Attributes {
     }
 
     /// Reads any statement, byte by byte; returns the start of the next one.
+    #[inline(never)]
     fn slow(&mut self, bytes: &[u8], at: usize) -> Result<usize, ReadError> {
         let mut cursor = Cursor::at_line(bytes, at, self.lines);
         let mut is_attribute = true;

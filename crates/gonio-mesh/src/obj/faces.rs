@@ -80,6 +80,8 @@ impl<'a> Faces<'a> {
         Ok(faces)
     }
 
+    /// Reads a segment. It is not inlined, for the reason of [`Attributes::parse`].
+    #[inline(never)]
     fn segment(&mut self, start: usize, end: usize, fast_path: bool) -> Result<(), ReadError> {
         let mut at = start;
         while at < end {
@@ -87,7 +89,7 @@ impl<'a> Faces<'a> {
                 let blanks = usize::from(self.bytes.get(at + 2) == Some(&b' '));
                 let start = at + 2 + blanks;
                 let is_negative = self.bytes.get(start) == Some(&b'-');
-                let next = if is_negative { self.plain_face::<true>(start)? } else { self.plain_face::<false>(start)? };
+                let next = if is_negative { self.negative_face(start)? } else { self.plain_face::<false>(start)? };
                 if let Some(next) = next {
                     self.line += 1;
                     at = next;
@@ -99,6 +101,12 @@ impl<'a> Faces<'a> {
             at = self.statement(at)?;
         }
         Ok(())
+    }
+
+    /// [`Self::plain_face`] with indices from the end. Exporters write either all or none that way.
+    #[inline(never)]
+    fn negative_face(&mut self, start: usize) -> Result<Option<usize>, ReadError> {
+        self.plain_face::<true>(start)
     }
 
     /// Skips an attribute, which the first pass has read and found to be on one line.
@@ -282,6 +290,7 @@ impl<'a> Faces<'a> {
     }
 
     /// Reads any statement, byte by byte; returns the start of the next one.
+    #[inline(never)]
     fn statement(&mut self, at: usize) -> Result<usize, ReadError> {
         let mut cursor = Cursor::at_line(self.bytes, at, self.line);
         if cursor.next_word() {

@@ -143,6 +143,19 @@ impl Renderer {
         Ok(RenderedFrame { shared, target, look, statistics: statistics.read(), notes })
     }
 
+    /// An error if the driver cannot draw a picture of this size.
+    fn check_size(&self, size: [u32; 2]) -> Result<(), GlError> {
+        let most = self.shared.info.max_size;
+        if size.iter().all(|side| *side <= most) {
+            return Ok(());
+        }
+        Err(GlError::new(format!(
+            "a picture of {} x {} pixels is too large for this driver, which draws at most {most} pixels along a side",
+            size[0], size[1]
+        ))
+        .with_remedy(Remedy::SmallerPicture))
+    }
+
     /// Targets for `rows` rows of the frame, one of `panes` that are drawn in turn.
     fn target_for(
         &mut self,
@@ -156,14 +169,8 @@ impl Renderer {
         if frame.surroundings.is_some() {
             notes.extend(scene.notes.iter().cloned());
         }
+        self.check_size([frame.width, frame.height])?;
         let info = &self.shared.info;
-        if frame.width > info.max_size || frame.height > info.max_size {
-            return Err(GlError::new(format!(
-                "a picture of {} x {} pixels is too large for this driver, which draws at most {} pixels along a side",
-                frame.width, frame.height, info.max_size
-            ))
-            .with_remedy(Remedy::SmallerPicture));
-        }
         let samples = frame.samples.min(info.max_samples).max(1);
         if samples < frame.samples {
             notes.push(format!("{samples} samples per pixel instead of {}: the driver has no more", frame.samples));

@@ -1,11 +1,12 @@
 //! Pictures that the objects' programs write as displayed colours, without a linear picture before: over all of a context's own
 //! framebuffer (a window, or the canvas of a page), and on display textures while something moves.
 
-use super::output::DisplaySettings;
+use super::output::{Band, DisplaySettings};
 use super::{PANES, Painted, Renderer, opaque_draws};
 use crate::display::{DisplayOptions, DisplayTexture};
 use crate::glsl::Display;
 use crate::scene_on_gpu::GpuScene;
+use gonio_gl::objects::DebugGroup;
 use gonio_gl::target::ColorPrecision;
 use gonio_gl::{GlError, SavedState};
 use gonio_light::color::{ColorEncoding, ToneMap};
@@ -21,9 +22,9 @@ impl Renderer {
     pub fn paint_scene_on_window(&mut self, scene: &GpuScene, frame: &Frame) -> Result<(), GlError> {
         let shared = self.shared.clone();
         let _state = SavedState::save(&shared.gl);
-        if let Some(display) = display_of_objects(scene, frame) {
+        if let Some(display) = display_of_objects(scene, frame).filter(|_| frame.samples == 1) {
             shared.gl.bind_framebuffer(glow::FRAMEBUFFER, None);
-            return self.displayed_scene(scene, frame, display, false).map(drop);
+            return self.displayed_scene(scene, frame, display, Place { top_row_first: false, grid: 1 }).map(drop);
         }
         let look = DisplaySettings::new(None, frame).to_be_shown();
         let mut notes = Vec::new();
@@ -37,8 +38,8 @@ impl Renderer {
         shared.output_onto_bound(&target, &look)
     }
 
-    /// [`Self::paint`], with one sample a pixel and as fast as possible, for pictures that are replaced soon. It differs by
-    /// rounding alone.
+    /// [`Self::paint`] as fast as possible, for pictures that are replaced soon: samples are averaged after encoding, which
+    /// shifts edges by a fraction of a pixel. With one sample it differs by rounding alone.
     ///
     /// If all is opaque before a plain background, without overlays, it is drawn as [`Self::paint_scene_on_window`] does.
     pub fn paint_sketch(
@@ -48,19 +49,35 @@ impl Renderer {
         show: &DisplayOptions,
         canvas: &mut DisplayTexture,
     ) -> Result<Painted, GlError> {
-        let frame = Frame { samples: 1, ..frame.clone() };
-        let is_plain = *show == DisplayOptions::default();
-        let size = [frame.width, frame.height];
-        let is_drawable = size.iter().all(|side| *side <= self.shared.info.max_size);
-        let display = display_of_objects(scene, &frame).filter(|_| is_plain && is_drawable && !frame.shadows);
-        let Some(display) = display else { return self.paint(scene, &frame, show, canvas) };
+        let is_plain = *show == DisplayOptions::default() && !frame.shadows;
+        let Some(display) = display_of_objects(scene, frame).filter(|_| is_plain) else {
+            return self.paint(scene, frame, show, canvas);
+        };
         let shared = self.shared.clone();
         let gl = &shared.gl;
         let _state = SavedState::save(gl);
-        canvas.fit(size)?;
-        canvas.begin_with_depth()?;
-        let draw_calls = self.displayed_scene(scene, &frame, display, true)?;
-        Ok(Painted { draw_calls, ..Painted::default() })
+        let _group = DebugGroup::new(gl, "sketch");
+        let mut notes = Vec::new();
+        let height = frame.height as i32;
+        if frame.samples == 1 {
+            let size = [frame.width, frame.height];
+            self.check_size(size)?;
+            canvas.fit(size)?;
+            canvas.begin_with_depth()?;
+            let draw_calls = self.displayed_scene(scene, frame, display, Place { top_row_first: true, grid: 1 })?;
+            return Ok(Painted { draw_calls, ..Painted::default() });
+        }
+        let target = self.target_for(scene, frame, height, ColorPrecision::Displayed, PANES, &mut notes)?;
+        canvas.fit([frame.width, frame.height])?;
+        // Before anything is drawn: checking whether a program linked waits for all earlier draws.
+        shared.output_program_for(&target, Display::Linear)?;
+        target.begin(gl, 0, height);
+        let place = Place { top_row_first: false, grid: target.sampling.grid() };
+        let draw_calls = self.displayed_scene(scene, frame, display, place)?;
+        target.resolve(gl);
+        let whole = Band { picture_height: height, first_row: 0, rows: height };
+        shared.output_into(canvas.output(), &target, whole, &DisplaySettings::of_numbers(), Display::Linear)?;
+        Ok(Painted { notes, draw_calls, ..Painted::default() })
     }
 
     /// Draws opaque objects before the background as displayed colours, into the framebuffer that is bound.
@@ -69,7 +86,7 @@ impl Renderer {
         scene: &GpuScene,
         frame: &Frame,
         display: (ToneMap, ColorEncoding),
-        top_row_first: bool,
+        Place { top_row_first, grid }: Place,
     ) -> Result<u32, GlError> {
         let shared = Rc::clone(&self.shared);
         let gl = &shared.gl;
@@ -81,14 +98,15 @@ impl Renderer {
         for draw in &draws {
             pass.prepare(draw)?;
         }
-        gl.viewport(0, 0, frame.width as i32, frame.height as i32);
+        let [width, height] = [frame.width, frame.height].map(|side| side as i32 * grid);
+        gl.viewport(0, 0, width, height);
         gl.color_mask(true, true, true, true);
         gl.depth_mask(true);
         gl.clear_depth_f32(1.0);
         gl.enable(glow::SCISSOR_TEST);
         for (rows, color) in background_bands(frame) {
             let start = if top_row_first { frame.height - rows.end } else { rows.start };
-            gl.scissor(0, start as i32, frame.width as i32, rows.len() as i32);
+            gl.scissor(0, start as i32 * grid, width, rows.len() as i32 * grid);
             let [r, g, b] = color.map(|value| f32::from(value) / 255.0);
             gl.clear_color(r, g, b, 1.0);
             gl.clear(glow::COLOR_BUFFER_BIT);
@@ -108,12 +126,21 @@ impl Renderer {
     }
 }
 
-/// The tone map and encoding with which the objects' programs can write displayed colours: if there is one sample a pixel, and
-/// all is opaque before a plain background.
+/// Where displayed colours are drawn in a framebuffer.
+#[derive(Clone, Copy)]
+struct Place {
+    /// The top row comes first, as on a display texture.
+    top_row_first: bool,
+    /// Texels along a pixel's side.
+    grid: i32,
+}
+
+/// The tone map and encoding with which the objects' programs can write displayed colours: if all is opaque before a plain
+/// background.
 fn display_of_objects(scene: &GpuScene, frame: &Frame) -> Option<(ToneMap, ColorEncoding)> {
     let is_opaque = scene.objects.iter().all(|object| object.transparent.is_empty()) && !frame.background.transparent;
     match (DisplaySettings::new(None, frame).encoded(), frame.surroundings) {
-        (Display::Light(tone_map, encoding), None) if is_opaque && frame.samples == 1 => Some((tone_map, encoding)),
+        (Display::Light(tone_map, encoding), None) if is_opaque => Some((tone_map, encoding)),
         _ => None,
     }
 }

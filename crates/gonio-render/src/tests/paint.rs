@@ -80,31 +80,70 @@ fn a_finished_picture_is_shown_like_a_drawn_one() {
 }
 
 /// The sketches are drawn upside down onto the canvas: the monkey looks to one side, and is mirrored.
+const TURNED: &str = "[picture]\nwidth = 90\nheight = 70\n[[object]]\nmodel = \"builtin:suzanne\"\nrotate = [20, 35, 0]\n\
+                      scale = [-1, 1, 1]\n[background]\ntop = [0.9, 0.2, 0.1]\nbottom = [0.1, 0.2, 0.9]\n";
+const OPEN: &str =
+    "[picture]\nwidth = 90\nheight = 70\n[[object]]\nmodel = \"builtin:still-life\"\nshading = \"flat\"\n";
+
 #[test]
-fn a_sketch_is_the_picture_with_one_sample() {
-    let turned = "[picture]\nwidth = 90\nheight = 70\n[[object]]\nmodel = \"builtin:suzanne\"\nrotate = [20, 35, 0]\n\
-                  scale = [-1, 1, 1]\n[background]\ntop = [0.9, 0.2, 0.1]\nbottom = [0.1, 0.2, 0.9]\n";
-    let open = "[picture]\nwidth = 90\nheight = 70\n[[object]]\nmodel = \"builtin:still-life\"\nshading = \"flat\"\n";
+fn a_sketch_with_one_sample_is_the_picture() {
     let around = format!("{MONKEY}[environment]\nimage = \"debug\"\n");
     for es in [false, true] {
-        for (text, is_exact) in [(turned, false), (open, false), (&around, true)] {
-            let scene = loaded(text);
-            let (gl, mut renderer) = renderer(es);
-            let uploaded = renderer.upload(&scene).unwrap_or_else(|error| panic!("{error}"));
-            let [mut sketch, mut picture] =
-                [0; 2].map(|_| DisplayTexture::new(&gl, [1, 1]).unwrap_or_else(|error| panic!("{error}")));
-            let plain = DisplayOptions::default();
-            renderer.paint_sketch(&uploaded, &scene.frame(0.0), &plain, &mut sketch).unwrap_or_else(|e| panic!("{e}"));
-            let frame = gonio_scene::Frame { samples: 1, ..scene.frame(0.0) };
-            renderer.paint(&uploaded, &frame, &plain, &mut picture).unwrap_or_else(|error| panic!("{error}"));
-            let (sketch, picture) = (sketch.read8(), picture.read8());
-            let pairs = sketch.chunks_exact(4).zip(picture.chunks_exact(4));
-            let is_near = |(a, b): &(&[u8], &[u8])| a.iter().zip(*b).all(|(a, b)| a.abs_diff(*b) <= 2);
+        for (text, is_exact) in [(TURNED, false), (OPEN, false), (&around, true)] {
+            let [sketch, picture] = sketched_and_painted(es, text, 1);
             // A pixel whose centre lies on an edge may be on either side of it.
-            let different = pairs.filter(|pair| !is_near(pair)).count();
+            let different = (0..90 * 70).filter(|at| !is_near(&sketch, &picture, *at)).count();
             assert!(different <= if is_exact { 0 } else { 20 }, "es {es}: {different} pixels differ\n{text}");
         }
     }
+}
+
+/// With four samples the pixels of edges alone differ: their colours are mixed after encoding. Fine triangles, many for few
+/// pixels, are drawn as a finer picture.
+#[test]
+fn a_sketch_differs_from_the_picture_at_edges_alone() {
+    let fine = TURNED.replace("width = 90", "width = 30").replace("height = 70", "height = 24");
+    for es in [false, true] {
+        for (text, [width, height]) in [(TURNED, [90, 70]), (&fine, [30, 24])] {
+            let [sketch, picture] = sketched_and_painted(es, text, 4);
+            let [hard, _] = sketched_and_painted(es, text, 1);
+            let (mut edges, mut others) = (0, 0);
+            for at in (0..width * height).filter(|at| !is_near(&sketch, &picture, *at)) {
+                let (x, y) = (at % width, at / width);
+                let around = (0..9).map(|i| [(x + i % 3).saturating_sub(1), (y + i / 3).saturating_sub(1)]);
+                let is_edge = around.map(|[x, y]| y.min(height - 1) * width + x.min(width - 1)).any(|other| {
+                    let step = |c: usize| hard[4 * at + c].abs_diff(hard[4 * other + c]);
+                    (0..3).any(|c| step(c) > 6)
+                });
+                // A ridge thinner than a pixel may lie between the centres of all of them.
+                others += usize::from(!is_edge);
+                let most = (0..3).map(|c| sketch[4 * at + c].abs_diff(picture[4 * at + c])).max();
+                assert!(most < Some(70), "es {es}: {x},{y} differs by {most:?}\n{text}");
+                edges += usize::from(is_edge);
+            }
+            assert!(others <= 3, "es {es}: {others} pixels differ that are on no edge\n{text}");
+            assert!(edges > 10, "es {es}: the samples of {edges} pixels were mixed after encoding\n{text}");
+        }
+    }
+}
+
+/// A scene as sketched, and as painted: 8 bits a channel, the top row first.
+fn sketched_and_painted(es: bool, text: &str, samples: u32) -> [Vec<u8>; 2] {
+    let scene = loaded(text);
+    let (gl, mut renderer) = renderer(es);
+    let uploaded = renderer.upload(&scene).unwrap_or_else(|error| panic!("{error}"));
+    let [mut sketch, mut picture] =
+        [0; 2].map(|_| DisplayTexture::new(&gl, [1, 1]).unwrap_or_else(|error| panic!("{error}")));
+    let plain = DisplayOptions::default();
+    let frame = gonio_scene::Frame { samples, ..scene.frame(0.0) };
+    renderer.paint_sketch(&uploaded, &frame, &plain, &mut sketch).unwrap_or_else(|error| panic!("{error}"));
+    renderer.paint(&uploaded, &frame, &plain, &mut picture).unwrap_or_else(|error| panic!("{error}"));
+    [sketch.read8(), picture.read8()]
+}
+
+/// Whether two pictures have the same colour there, but for rounding.
+fn is_near(a: &[u8], b: &[u8], at: usize) -> bool {
+    (4 * at..4 * at + 4).all(|i| a[i].abs_diff(b[i]) <= 2)
 }
 
 #[test]

@@ -48,6 +48,8 @@ pub struct PaneDrawing {
     pub canvas: Option<DisplayTexture>,
     /// The frame on the canvas.
     pub drawn: Option<(Frame, DisplayOptions)>,
+    /// Whether that is only sketched ([`Renderer::paint_sketch`]).
+    sketched: bool,
     /// The traced picture on the canvas, with its number ([`crate::truth::TracedPane::serial`]); `None` if OpenGL's is there.
     pub traced: Option<(u64, Arc<Picture>)>,
     /// [`OwnShaders::serial`] of the shaders that drew the canvas; `None` for gonio's.
@@ -223,7 +225,7 @@ impl PaneDrawing {
         {
             // If only something else moves, drawing with fewer samples would make the picture worse.
             let samples_alone = Frame { samples: full.samples, ..drawn.clone() } == full;
-            if samples_alone && (pace.moving || drawn.samples == full.samples) {
+            if samples_alone && (pace.moving || drawn.samples == full.samples && !self.sketched) {
                 return Ok(());
             }
         }
@@ -234,7 +236,9 @@ impl PaneDrawing {
             none => none.insert(DisplayTexture::new(gl, size)?),
         };
         self.shaders = serial;
-        let painted = if pace.moving && shaders.is_none() && samples == 1 {
+        // A graphics card draws the picture itself in time.
+        self.sketched = pace.moving && shaders.is_none() && (samples == 1 || renderer.info().is_software());
+        let painted = if self.sketched {
             renderer.paint_sketch(uploaded, &frame, &show, canvas)?
         } else if pace.moving {
             paint(renderer, shaders, (loaded, uploaded), &frame, &show, canvas)?
