@@ -2,6 +2,8 @@
 in vec3 world_position;
 in vec3 v_normal;
 in vec3 model_position;
+in vec3 v_to_light;
+in vec3 v_to_eye;
 
 struct Light {
     vec3 light_pos;

@@ -9,6 +9,7 @@ out vec3 direction;
 void main() {
     mat4 turn = mat4(mat3(V));
     direction = position;
-    vec4 place = P * turn * vec4(position, 1.0);
+    vec3 turned = (turn * vec4(position, 1.0)).xyz;
+    vec4 place = P * vec4(turned, 1.0);
     gl_Position = place.xyww;
 }

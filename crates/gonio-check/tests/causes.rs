@@ -30,7 +30,7 @@ fn diagnosed(
         ParsedStage::new(fragment, Stage::Fragment, OutputVersion::Core330),
     ];
     let shaders = stages.each_ref().map(|stage| Shader { parsed: &stage.parsed, checked: &stage.checked });
-    let constants = Analysis::with_matrices_by_use(&shaders[0], &shaders[1], &mut names).constants();
+    let constants = Analysis::with_roles_by_use(&shaders[0], &shaders[1], &mut names).constants();
     let [v, f] = stages.each_ref().map(|stage| (&stage.parsed, &stage.checked));
     diagnose(
         task,

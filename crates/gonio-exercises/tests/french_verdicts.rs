@@ -79,6 +79,10 @@ fn changed() -> Vec<Case> {
     let only = vec![SourceFile::new("my.vert", vertex)];
     cases.push(Case { exercise: "ex04", name: "one stage".to_owned(), files: only });
     cases.push(Case { exercise: "ex04", name: "nothing".to_owned(), files: Vec::new() });
+    let ex08 = exercise::find("ex08").unwrap();
+    let [vertex, fragment] = ["reference.vert", "reference.frag"].map(|name| ex08.file(name).unwrap());
+    assert!(vertex.contains("place.xyww"));
+    cases.push(shaders("ex08", "a depth of its own", vertex.replace("place.xyww", "place"), fragment));
     cases
 }
 

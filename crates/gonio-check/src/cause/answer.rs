@@ -110,7 +110,7 @@ pub(super) fn hypothesis_of(all: &Hypotheses, chosen: &[(&str, bool)]) -> Option
 }
 
 /// Vectors that are the same in another space after a rotation.
-pub(super) const DIRECTIONS: [&str; 17] = [
+pub(super) const DIRECTIONS: [&str; 19] = [
     "N",
     "world_normal",
     "v_normal",
@@ -128,6 +128,8 @@ pub(super) const DIRECTIONS: [&str; 17] = [
     "L + V",
     "dot(N, L) * N",
     "2.0 * dot(N, L) * N",
+    "dot(N, I) * N",
+    "2.0 * dot(N, I) * N",
 ];
 /// Positions that a model solution computes.
 pub(super) const POSITIONS: [&str; 1] = ["world_position"];

@@ -184,15 +184,14 @@ impl Diagnosing<'_> {
     /// Where the program makes the mistakes of explanations.
     fn places(&self, explanations: &[Explanation]) -> Result<Vec<MistakePlace>, String> {
         let exponent = self.parameterisation.written_exponent.unwrap_or(1.0);
+        let certain = self.hints.certain(self.program);
         let mut all = Vec::new();
         for explanation in explanations {
             // With a second light that is off, or wrong, the scenes are those of both.
-            let scenes = match explanation.lights {
-                Lights::WrongInSecond | Lights::Second | Lights::SecondOneAmbient => &self.scenes[self.of_one..],
-                _ => &self.scenes[..self.of_one],
-            };
+            let is_of_second = explanation.lights.is_last() || explanation.lights == Lights::WrongInSecond;
+            let scenes = if is_of_second { &self.scenes[self.of_one..] } else { &self.scenes[..self.of_one] };
             let samples: Vec<SceneSamples> = scenes.iter().map(|(_, samples)| samples.clone()).collect();
-            all.extend(place::places(self.program, &samples, self.solutions, explanation, exponent)?);
+            all.extend(place::places(self.program, &samples, self.solutions, explanation, (exponent, certain))?);
         }
         Ok(all)
     }
@@ -387,6 +386,7 @@ impl Diagnosing<'_> {
             is_likely: &|id| self.is_likely(id),
             parameterisation: &self.parameterisation,
             required: self.task.required,
+            certain: self.hints.certain(self.program),
             scenes,
             budget,
             pairs_left: Cell::new(self.most_pairs),

@@ -31,6 +31,8 @@ pub(crate) struct Explainer<'a> {
     pub parameterisation: &'a Parameterisation,
     /// The terms that are required.
     pub required: [bool; 3],
+    /// The mistake that the program makes in any case, as its text shows.
+    pub certain: Option<&'static str>,
     /// The test scenes, and the points with the inputs of the program.
     pub scenes: &'a [(TestScene, SceneSamples)],
     /// Single mistakes that may still be predicted, with all roles together.
@@ -53,6 +55,9 @@ const MOST_COARSE: usize = 500;
 /// How many of two mistakes have their own wrong values in the program, and with how many model solutions and sets of
 /// peculiarities such pairs are tried. The first are few, and the likeliest.
 const SUSPECTS_OF_PAIRS: [(usize, usize, usize); 3] = [(2, usize::MAX, usize::MAX), (1, usize::MAX, 8), (0, 1, 2)];
+
+/// The order in which single mistakes are tried.
+const WHICH: [Which; 3] = [Which::Suspects, Which::Allowed, Which::Others];
 
 /// A model solution that was tried, with its sets of peculiarities, the likeliest first.
 pub(super) type TriedModel = (Candidate, Vec<Hypothesis>);
@@ -104,9 +109,9 @@ impl Explainer<'_> {
         }
         // Right values exclude most mistakes, unless they are computed and not used.
         let mut sets_of: Vec<Vec<Hypothesis>> = Vec::new();
-        for which in [Which::Suspects, Which::Allowed, Which::Others] {
+        for which in WHICH {
             if found.is_empty() {
-                let sets = unexplained.iter().map(|one| self.singles(one, which, seen, &mut found)).collect();
+                let sets = unexplained.iter().map(|one| self.singles(one, which, None, seen, &mut found)).collect();
                 if which == Which::Allowed {
                     sets_of = sets;
                 }
@@ -125,9 +130,9 @@ impl Explainer<'_> {
                         found.extend(sets.iter().find_map(|set| candidate.explanation(seen, set, self.required)));
                     }
                     false => {
-                        for which in [Which::Suspects, Which::Allowed, Which::Others] {
+                        for which in WHICH {
                             if found.is_empty() {
-                                self.singles(&candidate, which, seen, &mut found);
+                                self.singles(&candidate, which, None, seen, &mut found);
                             }
                         }
                     }
@@ -196,15 +201,32 @@ impl Explainer<'_> {
         found
     }
 
-    /// Explains a picture by two mistakes.
+    /// Explains a picture by two mistakes, or by one or two beside the one that is certain.
     ///
     /// # Errors
     /// There is no test scene.
     pub fn by_pairs(&self, unexplained: &[TriedModel], seen: &Seen) -> Result<Vec<Explanation>, String> {
         let mut found = Vec::new();
+        let certain: Vec<Option<Hypothesis>> = unexplained.iter().map(|(one, _)| self.certain_of(one)).collect();
+        for which in WHICH {
+            for ((candidate, _), certain) in unexplained.iter().zip(&certain) {
+                if let (true, Some(certain)) = (found.is_empty(), certain) {
+                    self.singles(candidate, which, Some(certain), seen, &mut found);
+                }
+            }
+        }
+        if !found.is_empty() {
+            return Ok(simplest(found));
+        }
+        let beside_certain = |((_, sets), certain): (&TriedModel, &Option<Hypothesis>)| -> Vec<Hypothesis> {
+            let Some(certain) = certain else { return sets.clone() };
+            sets.iter().filter_map(|set| set.and(certain)).collect()
+        };
+        let sets: Vec<Vec<Hypothesis>> = unexplained.iter().zip(&certain).map(beside_certain).collect();
         let candidates: Vec<(&Candidate, &[Hypothesis], AtFew, Vec<WrongOfPair<'_>>)> = unexplained
             .iter()
-            .map(|(one, sets)| Ok((one, sets.as_slice(), self.at_fewest(one, seen)?, one.wrong_of_pairs())))
+            .zip(&sets)
+            .map(|((one, _), sets)| Ok((one, sets.as_slice(), self.at_fewest(one, seen)?, one.wrong_of_pairs())))
             .collect::<Result<_, String>>()?;
         // Most mistakes show their own wrong values, unless these are computed from the other's.
         for (suspects, most_candidates, most_sets) in SUSPECTS_OF_PAIRS {
@@ -232,7 +254,7 @@ impl Explainer<'_> {
                 let candidate = self.candidate(*method, lights, seen)?;
                 for which in [Which::Suspects, Which::Allowed] {
                     if found.is_empty() {
-                        self.singles(&candidate, which, seen, &mut found);
+                        self.singles(&candidate, which, None, seen, &mut found);
                     }
                 }
             }
@@ -240,18 +262,29 @@ impl Explainer<'_> {
         Ok(simplest(found))
     }
 
-    /// Adds the single mistakes that explain a picture. Returns the sets of peculiarities, those first that some mistake
-    /// brings nearest to the picture.
+    /// The mistake that is certain, in a model solution.
+    fn certain_of(&self, candidate: &Candidate) -> Option<Hypothesis> {
+        let all = &candidate.fine.all.hypotheses;
+        let is_it = |single: &&Hypothesis| matches!(single.mistakes[..], [mistake] if Some(all.mistakes[mistake].id.as_str()) == self.certain);
+        candidate.wrong().find(is_it).cloned()
+    }
+
+    /// Adds the single mistakes that explain a picture, beside another one if there is one for certain. Returns the sets of
+    /// peculiarities, those first that some mistake brings nearest to the picture.
     fn singles(
         &self,
         candidate: &Candidate,
         which: Which,
+        certain: Option<&Hypothesis>,
         seen: &Seen,
         found: &mut Vec<Explanation>,
     ) -> Vec<Hypothesis> {
         let mut sets = Vec::new();
         let here: Vec<&Hypothesis> = candidate.wrong().filter(|single| candidate.which(single) == which).collect();
-        let all = candidate.peculiarities(self.is_likely);
+        let mut all = candidate.peculiarities(self.is_likely);
+        if let Some(certain) = certain {
+            all = all.iter().filter_map(|set| set.and(certain)).collect();
+        }
         // Sets of one size together: what they have in common is predicted once.
         for of_size in all.chunk_by(|a, b| a.mistakes.len() == b.mistakes.len()) {
             let size = of_size.first().map_or(0, |set| set.mistakes.len());

@@ -35,6 +35,11 @@ pub(crate) fn is_absent(strength: Option<[f64; 3]>) -> bool {
     strength.is_some_and(|strength| strength.iter().all(|channel| *channel < 1e-3))
 }
 
+/// Whether a fitted strength is that of a term that is there.
+pub(crate) fn is_present(strength: Option<[f64; 3]>) -> bool {
+    strength.is_some() && !is_absent(strength)
+}
+
 /// Gives a scene the strengths that are constants of the program, and the colour that these have in common.
 pub(super) fn strengthen(strengths: &Strengths, scene: &mut TestScene) {
     let brightest = |strength: &[f64; 3]| strength.iter().copied().fold(0.0, f64::max);

@@ -65,6 +65,25 @@ impl<'a> Hints<'a> {
         self.task.model.is_lit() && computes(0) && !computes(1)
     }
 
+    /// The mistake that a program makes in any case: where light has to decrease with distance, it reads no constants of the
+    /// attenuation and measures nothing.
+    pub fn certain(&self, program: &Program) -> Option<&'static str> {
+        const MEASURING: [&str; 4] = ["length", "distance", "sqrt", "inversesqrt"];
+        let measures = |stage: usize| MEASURING.iter().any(|name| self.uses(stage, name));
+        let is_of_attenuation = |role: Role| {
+            matches!(
+                role,
+                Role::Attenuation(_)
+                    | Role::AttenuationConstant(_)
+                    | Role::AttenuationLinear(_)
+                    | Role::AttenuationQuadratic(_)
+            )
+        };
+        let has_constants = program.bindings.bound.iter().any(|bound| is_of_attenuation(bound.role));
+        let is_missing = self.task.attenuated && !has_constants && !measures(0) && !measures(1);
+        is_missing.then_some("attenuation-missing")
+    }
+
     /// Whether some value depends on a condition.
     fn has_choice(&self) -> bool {
         let has_it = |text: &str| ["if", "?", "step", "sign"].iter().any(|word| text.contains(word));
@@ -79,6 +98,7 @@ impl<'a> Hints<'a> {
             "normal-kept-unnormalised" => !self.uses(0, "normalize"),
             "specular-gated" => has_highlight && self.has_choice(),
             "specular-held" => !self.has_choice(),
+            "specular-reflection-normalised" => self.texts.iter().any(|text| normalises_reflection(text)),
             "specular-cosine-weighted" | "specular-not-coloured" => has_highlight,
             _ => true,
         }
@@ -100,4 +120,17 @@ impl<'a> Hints<'a> {
             if in_view && self.task.model.is_lit() { &[Space::World, Space::View][..] } else { &[Space::World] };
         spaces.iter().map(|space| LightingMethod { model, space: *space }).collect()
     }
+}
+
+/// Whether a text normalises a reflected vector: `reflect(...)`, its formula, or a variable that is set to one of them.
+fn normalises_reflection(text: &str) -> bool {
+    const NORMALIZE: &str = "normalize(";
+    let text: String = text.chars().filter(|c| !c.is_whitespace()).collect();
+    let is_reflected = |value: &str| value.starts_with("reflect(") || value.starts_with('2') || value.starts_with("(2");
+    text.match_indices(NORMALIZE).any(|(at, _)| {
+        let argument = &text[at + NORMALIZE.len()..];
+        let name: &str = &argument[..argument.find(')').unwrap_or(0)];
+        let is_set = || text.match_indices(&format!("{name}=")).any(|(at, set)| is_reflected(&text[at + set.len()..]));
+        is_reflected(argument) || !name.is_empty() && is_set()
+    })
 }

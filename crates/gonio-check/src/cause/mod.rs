@@ -8,6 +8,7 @@
 mod answer;
 mod assign;
 mod budget;
+mod built_in_lights;
 mod candidate;
 mod conclusion;
 mod conventions;
@@ -25,6 +26,7 @@ mod methods;
 pub(crate) mod model;
 mod naming;
 pub(crate) mod observed;
+mod optics;
 pub mod place;
 mod prediction;
 mod products;
@@ -61,8 +63,8 @@ use conclusion::{Attempt, first_conclusion};
 use diagnosing::Diagnosing;
 use edit::TextFix;
 use explain::MOST_PAIRS;
-pub(crate) use explanation::is_absent;
 use explanation::{Explanation, Strengths};
+pub(crate) use explanation::{is_absent, is_present};
 use found::Found;
 use gonio_glsl::{Checked, Parsed, Span, Stage};
 use methods::{Hints, methods};
@@ -152,6 +154,7 @@ pub fn diagnose(
     if scenes.iter().take(1).any(|scene| is_long(&named, scene)) {
         return Err(NotJudged::TooLong);
     }
+    let named = built_in_lights::without_unused(named, &scenes);
     let mut assigned = named.clone();
     let mut by_influence = Vec::new();
     if assign::is_open(&assigned) {

@@ -306,6 +306,9 @@ fn inputs(stage: Stage, samples: &[SceneSamples], model: ModelSolution) -> Vec<Q
     all
 }
 
+/// Vectors at the vertices, which are called as at the places.
+const VARYINGS: [(&str, &str); 2] = [("v_to_light", "to_light"), ("v_to_eye", "to_eye")];
+
 /// The vectors from the eye in the model solutions of mirrors and glass, and those to the eye.
 const OPPOSITE: [(&str, &str); 2] = [("from_eye", "to_eye"), ("I", "V")];
 
@@ -395,6 +398,9 @@ impl Model {
             values: Values::new(4, places),
             ..Quantity::default()
         });
+        for (varying, vector) in VARYINGS {
+            quantities.iter_mut().filter(|q| q.name == varying).for_each(|q| vector.clone_into(&mut q.name));
+        }
         quantities.iter_mut().filter(|q| has_space(&q.name)).for_each(|q| q.space = space);
         let mut model = Model { method, space, quantities };
         if method.model.has_roughness() {
@@ -404,6 +410,7 @@ impl Model {
         let inputs: Vec<Quantity> = STAGES.into_iter().flat_map(|stage| inputs(stage, given, method.model)).collect();
         model.add_vectors_at_vertices(&inputs);
         model.add_intermediate(&inputs);
+        model.add_steps_of_optics();
         model.interpolate(samples);
         if space == Space::World {
             model.add_views(samples);

@@ -1,7 +1,7 @@
 //! Names for proven repairs: the mistakes of the catalogue that assign the same wrong quantity to the same variable.
 
 use super::model::{Quantity, TELLING};
-use super::observed::{Observed, Observer, SCALED, SUMS, TERMS, assignment, is_name};
+use super::observed::{Observed, Observer, SCALED, SUMS, TERMS, assignment, is_name, is_of_numbers};
 use super::program::Change;
 use super::proven_cause::ProvenCause;
 use super::ranking::Ranking;
@@ -267,8 +267,12 @@ impl Observer<'_> {
             if new.values.is_same(&old.values) {
                 continue;
             }
+            // Where a branch puts out a number, a quantity may have this value by chance.
+            let is_number = is_of_numbers(self.text(old));
             for wrong in self.model.quantities.iter().filter(|q| q.stage == old.stage) {
-                let Some(mistake) = wrong.mistake else { continue };
+                let Some(mistake) = wrong.mistake.filter(|_| !is_number || wrong.values.is_constant()) else {
+                    continue;
+                };
                 let factor = match SCALED.contains(&wrong.name.as_str()) {
                     true => old.values.factor_of(&wrong.values),
                     false => wrong.values.is_same(&old.values).then_some(1.0),

@@ -78,6 +78,14 @@ pub(super) fn is_name(text: &str) -> bool {
         && text.chars().all(|c| c.is_ascii_alphanumeric() || "_.[]".contains(c))
 }
 
+/// Whether an expression is a number or a vector of numbers, or sets a variable to one: `colour = vec4(0.0, 0.0, 0.0, 1.0)`.
+pub(super) fn is_of_numbers(text: &str) -> bool {
+    let value = assignment(text).and_then(|_| text.split_once('=')).map_or(text, |(_, value)| value);
+    let value = ["vec2", "vec3", "vec4", "float"].iter().fold(value.to_owned(), |text, word| text.replace(word, ""));
+    let is_of_number = |c: char| c.is_ascii_digit() || " .,+-*/()fF".contains(c);
+    value.contains(|c: char| c.is_ascii_digit()) && value.chars().all(is_of_number)
+}
+
 /// The largest depth.
 pub(super) const DEEPEST: u32 = 48;
 

@@ -4,7 +4,7 @@
 use super::explanation::{Explanation, strengthen};
 use super::model::Space;
 use super::naming::is_of_no_term;
-use super::observed::{SCALED, assignment, is_assignment, is_name};
+use super::observed::{SCALED, assignment, is_assignment, is_name, is_of_numbers};
 use super::program::{Program, Runner};
 use super::recording::{Recorded, STAGES, TELLING, observe};
 use super::samples::SceneSamples;
@@ -28,6 +28,9 @@ const OF_TERMS: [&str; 5] = ["diffuse_light", "specular_light", "lit", "colour",
 /// Mistakes with the half vector, which no variable of the model solutions holds.
 const OF_HALF_VECTOR: [&str; 2] = ["half-vector-not-normalised", "half-vector-of-unequal-vectors"];
 
+/// The mistake of putting out black where the light is behind the surface.
+const WHERE_UNLIT: &str = "ambient-missing-where-unlit";
+
 /// The position on the screen.
 const POSITION: &str = "gl_Position";
 
@@ -50,8 +53,9 @@ pub struct MistakePlace {
     pub is_given: bool,
     /// Whether the mistake is made in the sum of all terms, and in no other.
     pub is_sum: bool,
-    /// Whether it is a wrong vector, from which the value of the mistake is computed.
-    pub is_vector: bool,
+    /// Whether it is the place whatever is proven: the half vector, from which the value of the mistake is computed, or the sum
+    /// that lacks the attenuation.
+    pub is_decisive: bool,
 }
 
 /// The wrong values of one of the mistakes of a hypothesis.
@@ -127,7 +131,8 @@ fn new_vector<'a>(
     Ok(all().filter(is_set).min_by_key(|seen| seen.order).or_else(|| all().min_by_key(|seen| seen.order)))
 }
 
-/// The first place of each mistake of an explanation, as far as the program shows one.
+/// The first place of each mistake of an explanation, as far as the program shows one. What is missing for `certain` is missing in
+/// the sum.
 ///
 /// # Errors
 /// The interpreter cannot run a model solution; a test ensures that it can.
@@ -136,7 +141,7 @@ pub(super) fn places(
     samples: &[SceneSamples],
     solutions: &ModelSolutions,
     explanation: &Explanation,
-    exponent: f32,
+    (exponent, certain): (f32, Option<&str>),
 ) -> Result<Vec<MistakePlace>, String> {
     let given = &samples[..samples.len().min(TELLING)];
     let samples: Vec<SceneSamples> = given.iter().map(|samples| as_explained(samples, explanation)).collect();
@@ -182,6 +187,9 @@ pub(super) fn places(
         });
         let is_sum = variables.contains(SUM) && !is_right_elsewhere;
         let put_out = is_put_out.then(|| output_with(program, &observed, all(), is_right_elsewhere)).flatten();
+        let sum_without = (explanation.mistakes.len() > 1 && certain == Some(mistake.id.as_str()))
+            .then(|| output_with(program, &observed, all(), true))
+            .flatten();
         let constant = || {
             let of = |all: &[&(String, Recorded)]| {
                 all.iter().find_map(|(_, one)| first_constant(program, &observed, one, &mistake.id))
@@ -199,8 +207,10 @@ pub(super) fn places(
             )?,
             false => None,
         };
-        let is_vector = vector.is_some();
-        let place = vector.or(put_out).map(|seen| (seen, true)).or_else(|| match is_right_elsewhere {
+        let branch = (mistake.id == WHERE_UNLIT).then(|| written_in_branch(program, &observed)).flatten();
+        let decisive = vector.or(sum_without).or(branch);
+        let is_decisive = decisive.is_some();
+        let place = decisive.or(put_out).map(|seen| (seen, true)).or_else(|| match is_right_elsewhere {
             true => of_after().or_else(of_direct),
             false => of_direct().or_else(of_after),
         });
@@ -211,7 +221,7 @@ pub(super) fn places(
                         && (of.values.is_same(&seen.values) || of.values.is_scaled(&seen.values, -1.0))
                 });
             let seen = if is_given { last_copy(program, &observed, seen).unwrap_or(seen) } else { seen };
-            found.push(MistakePlace { is_sum, is_given, is_vector, ..place_at(program, mistake, seen, is_direct) });
+            found.push(MistakePlace { is_sum, is_given, is_decisive, ..place_at(program, mistake, seen, is_direct) });
         }
     }
     Ok(found)
@@ -262,8 +272,8 @@ fn of_lights(
     // In a loop over the lights, what is set again is lost.
     let is_set_again =
         |seen: &&Recorded| seen.occurrence > 0 && assignment(text(seen)).is_some_and(|(_, by_operator)| !by_operator);
-    if let (Lights::Second | Lights::SecondOneAmbient, Some(last)) =
-        (explanation.lights, observed.iter().filter(is_set_again).max_by_key(by_order))
+    if let (true, Some(last)) =
+        (explanation.lights.is_last(), observed.iter().filter(is_set_again).max_by_key(by_order))
     {
         return Some(place_at(program, mistake, last, true));
     }
@@ -283,15 +293,15 @@ fn place_at(program: &Program, mistake: &'static Mistake, seen: &Recorded, is_di
         is_copy: is_read && is_whole,
         is_given: false,
         is_sum: false,
-        is_vector: false,
+        is_decisive: false,
     }
 }
 
 /// Points of a scene as the model solution of an explanation sees them.
 fn as_explained(samples: &SceneSamples, explanation: &Explanation) -> SceneSamples {
     let mut samples = samples.clone();
-    if let (Lights::WrongInSecond | Lights::Second | Lights::SecondOneAmbient, Some(other)) =
-        (explanation.lights, samples.scene.other)
+    if let (true, Some(other)) =
+        (explanation.lights.is_last() || explanation.lights == Lights::WrongInSecond, samples.scene.other)
     {
         samples.scene.light = other;
     }
@@ -336,6 +346,19 @@ fn last_copy<'a>(program: &Program, observed: &'a [Recorded], of: &Recorded) -> 
     };
     let is_same = |seen: &&Recorded| seen.stage == of.stage && seen.values.is_same(&of.values);
     observed.iter().filter(is_copy).filter(is_same).max_by_key(|seen| seen.order)
+}
+
+/// The number or vector of numbers that is put out at some points alone, or else where some points alone get ambient light.
+fn written_in_branch<'a>(program: &Program, observed: &'a [Recorded]) -> Option<&'a Recorded> {
+    let text = |seen: &Recorded| program.text(seen.stage, seen.expr);
+    let is_in_branch = |seen: &&Recorded| {
+        let present = &seen.values.present;
+        seen.stage == Stage::Fragment && present.contains(&true) && present.contains(&false)
+    };
+    let is_number = |seen: &&Recorded| program.is_set_or_returned(seen.stage, seen.expr) && is_of_numbers(text(seen));
+    let is_of_ambient = |seen: &&Recorded| is_assignment(text(seen)) && is_about(text(seen), "ambient");
+    let all = || observed.iter().filter(is_in_branch);
+    all().filter(is_number).max_by_key(|seen| seen.order).or_else(|| all().find(is_of_ambient))
 }
 
 /// The first expression that computes a constant, or the first number that a variable is set to. Many variables are 0 at first:

@@ -63,8 +63,6 @@ pub(crate) struct Predictor {
     pub has_own_ambient: bool,
     /// Whether the program's text has the strength of the ambient light, if there is one.
     pub is_ambient_written: bool,
-    /// Whether all but one of the object's colours are white, so that right pictures may be too bright.
-    pub has_white_material: bool,
     open: Vec<usize>,
     scenes: Vec<SceneModel>,
 }
@@ -151,8 +149,7 @@ impl Predictor {
         let scenes = scenes.collect();
         let has_own_ambient = parameterisation.own_ambient;
         let is_ambient_written = !parameterisation.given[0] && !has_own_ambient;
-        let has_white_material = parameterisation.white_material;
-        Predictor { all, lights, has_own_ambient, is_ambient_written, has_white_material, open, scenes }
+        Predictor { all, lights, has_own_ambient, is_ambient_written, open, scenes }
     }
 
     /// The terms whose strengths are fitted: ambient 0, diffuse 1, specular 2.

@@ -1,5 +1,6 @@
 //! A proven cause: an expression, with the right value and the names of what is wrong.
 
+use super::model::INPUTS;
 use super::observed::{SUMS, has_space, is_name};
 use super::repair::{Make, Relation, Repair};
 use super::right_change::RightChange;
@@ -104,6 +105,12 @@ impl ProvenCause {
     #[must_use]
     pub fn is_first_vector(&self) -> bool {
         self.depth == 1 && has_space(&self.repair.should)
+    }
+
+    /// Whether an input stands where another one belongs.
+    #[must_use]
+    pub fn is_input_for_input(&self) -> bool {
+        self.is_given && self.is_read() && INPUTS.iter().any(|(name, ..)| *name == self.repair.should)
     }
 
     /// Whether it computes a right term, of which another one is needed.

@@ -103,7 +103,7 @@ impl RightQuantities {
         let mut names = names.clone();
         let source = match task.model.is_of_places() {
             true => Analysis::new(&of_vertex, &of_fragment, &names),
-            false => Analysis::with_matrices_by_use(&of_vertex, &of_fragment, &mut names),
+            false => Analysis::with_roles_by_use(&of_vertex, &of_fragment, &mut names),
         };
         let constants = source.constants();
         let texts = [&submission.vertex.text, &submission.fragment.text].map(String::as_str);

@@ -165,8 +165,7 @@ impl RightPicture {
             let fit = Fit::new(&colours, sum, &self.scenes(variant, count));
             // A strength of the testbench may be too large for some materials.
             let is_overexposed = fit.is_white && self.predictor.is_ambient_written;
-            let is_blind = fit.is_blind && !self.predictor.has_white_material;
-            (!is_overexposed && !is_blind && fit.is_right(self.required))
+            (!is_overexposed && !fit.is_blind && fit.is_right(self.required))
                 .then(|| Agreement { highlight: self.is_lit.then_some(variant.highlight), strengths: fit.strengths })
         })
     }

@@ -5,7 +5,7 @@ use super::repair::{Make, Repair};
 use gonio_language::tr;
 
 /// The variables of the model solutions, and the ids of their texts.
-const WORDS: [(&str, &str); 74] = [
+const WORDS: [(&str, &str); 86] = [
     ("world_position", "check-quantity-position"),
     ("world_place", "check-quantity-position"),
     ("model_position", "check-quantity-position-in-model-space"),
@@ -28,6 +28,14 @@ const WORDS: [(&str, &str); 74] = [
     ("dot(N, L) * N", "check-quantity-normal-times-the-cosine"),
     ("2.0 * dot(N, L) * N", "check-quantity-normal-times-twice-the-cosine"),
     ("dot(N, V)", "check-quantity-cosine-of-eye"),
+    ("dot(N, I)", "check-quantity-cosine-of-incidence"),
+    ("2.0 * dot(N, I)", "check-quantity-twice-the-cosine-of-incidence"),
+    ("dot(N, I) * N", "check-quantity-normal-times-the-cosine-of-incidence"),
+    ("2.0 * dot(N, I) * N", "check-quantity-normal-times-twice-the-cosine-of-incidence"),
+    ("ratio * ratio", "check-quantity-squared-ratio"),
+    ("1.0 - dot(N, I) * dot(N, I)", "check-quantity-squared-sine-of-incidence"),
+    ("k", "check-quantity-squared-cosine-of-refraction"),
+    ("sqrt(k)", "check-quantity-cosine-of-refraction"),
     ("dot(N, H)", "check-quantity-cosine-of-half-vector"),
     ("dot(R, V)", "check-quantity-cosine-of-reflection"),
     ("vec4(position, 1.0)", "check-quantity-position-in-model-space"),
@@ -47,9 +55,13 @@ const WORDS: [(&str, &str); 74] = [
     ("attenuated", "check-quantity-attenuated-sum"),
     ("lit", "check-quantity-sum-of-all-terms"),
     ("colour", "check-quantity-coloured-sum"),
+    ("v_col", "check-quantity-coloured-sum"),
     ("FragColor", "check-quantity-right-colour"),
     ("found", "check-quantity-cubemap-colour"),
     ("gl_Position", "check-quantity-position-on-screen"),
+    ("place", "check-quantity-position-on-screen-of-the-sky"),
+    ("direction", "check-quantity-looked-up-direction"),
+    ("turned", "check-quantity-turned-position"),
     ("light_pos", "check-quantity-position-of-the-light"),
     ("u_view_pos", "check-quantity-position-of-the-eye"),
     ("materialColour", "check-quantity-material-s-colour"),
@@ -139,15 +151,14 @@ mod tests {
     #[test]
     fn every_quantity_but_matrices_has_words() {
         let samples: Vec<SceneSamples> = scene::lit().into_iter().take(1).map(SceneSamples::new).collect();
-        for model in ModelSolution::ALL.into_iter().filter(|model| {
-            model.is_lit() || *model == ModelSolution::Reflection || *model == ModelSolution::Refraction
-        }) {
+        let others = [ModelSolution::Reflection, ModelSolution::Refraction, ModelSolution::Skybox];
+        for model in ModelSolution::ALL.into_iter().filter(|model| model.is_lit() || others.contains(model)) {
             let method = AnswerMethod::new(model);
             let model =
                 Model::new(&ModelSolutions::default(), method, Space::World, &samples, 1.0, Mistakes::These(&[]))
                     .unwrap();
             for q in model.quantities.iter().filter(|q| q.values.size <= 4) {
-                assert!(!product(&q.name).contains('`') || q.name == "v_col", "{}", q.name);
+                assert!(!product(&q.name).contains('`'), "{}", q.name);
             }
         }
     }

@@ -6,7 +6,8 @@ use crate::cause::edit::TextFix;
 use crate::cause::found::Found;
 use crate::cause::proven_cause::ProvenCause;
 use crate::cause::{
-    AnswerMethod, Diagnosis, DiagnosisDepth, ModelSolutions, Space, answer_methods, diagnose, is_absent, peculiarities,
+    AnswerMethod, Diagnosis, DiagnosisDepth, ModelSolutions, Space, answer_methods, diagnose, is_absent, is_present,
+    peculiarities,
 };
 use crate::comparison::{
     Evidence, MOST_FOR_WRONG, PLACES, PossibleAnswer, Prepared, RightAnswer, ShaderChecker, Task, bound, declared,
@@ -285,9 +286,12 @@ impl Judging<'_> {
         self.values.task.other.filter(|(model, _)| *model == diagnosis.method.model).and_then(|(_, word)| word)
     }
 
-    /// Whether a right program shows a term: the exercise requires it, or the program computes it and never uses it.
+    /// Whether a right program shows a term: the exercise requires it, or the program computes it and never uses it, although
+    /// it shows another one that the exercise does not require.
     fn is_due(&self, diagnosis: &Diagnosis, term: usize) -> bool {
-        self.values.task.required[term] || self.prepared.unused_terms[term] || diagnosis.unused_terms[term]
+        let required = self.values.task.required;
+        let is_unused = self.prepared.unused_terms[term] || diagnosis.unused_terms[term];
+        required[term] || is_unused && (0..3).any(|term| !required[term] && is_present(diagnosis.strengths[term]))
     }
 
     /// Mistakes that do not show in the colours: light computed in the wrong stage, and optional terms that are computed

@@ -144,12 +144,15 @@ impl<'a> Explained<'a> {
         // The first that shows this mistake and no other one better.
         let is_of_mistake = |cause: &&ProvenCause| cause.mistakes.first().is_some_and(|first| first.id == mistake.id);
         let cause = group.and_then(|group| group.iter().find(is_of_mistake).or(group.first()));
-        if let Some(place) = place.filter(|place| place.is_vector) {
+        if let Some(place) = place.filter(|place| place.is_decisive) {
             return Some(of_place(place));
         }
         // An input stands where a variable's name asks for another one.
         if let Some(exchanged) = group.and_then(|group| group.iter().find(|cause| cause.is_against_name)) {
             return Some(exchanged.place());
+        }
+        if let Some(cause) = cause.filter(|cause| is_single && cause.is_input_for_input()) {
+            return Some(cause.place());
         }
         if let (Some(spoilt), true) = (group.and_then(|group| group.iter().find_map(|c| c.spoilt_at)), is_single) {
             return Some(spoilt);

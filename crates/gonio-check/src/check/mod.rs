@@ -162,7 +162,7 @@ fn check_files(
     let shaders = [&vertex, &fragment].map(|stage| Shader { parsed: &stage.parsed, checked: &stage.checked });
     let source = match task.model.is_of_places() {
         true => Analysis::new(&shaders[0], &shaders[1], &names),
-        false => Analysis::with_matrices_by_use(&shaders[0], &shaders[1], &mut names),
+        false => Analysis::with_roles_by_use(&shaders[0], &shaders[1], &mut names),
     };
     let source = Rc::new(source);
     let asked = Rc::clone(&source);

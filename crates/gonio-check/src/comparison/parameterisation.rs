@@ -38,6 +38,9 @@ pub enum Second {
     Always,
 }
 
+/// The brightness of several colours of one object, if the strengths of all terms are fitted.
+const GREY: f32 = 0.5;
+
 /// The lights of a model solution, and those to which a hypothesis applies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Lights {
@@ -51,6 +54,8 @@ pub enum Lights {
     Second,
     /// Only the second of two, with an ambient term that belongs to neither.
     SecondOneAmbient,
+    /// Only the second of two, with the ambient terms of both.
+    SecondAllAmbient,
     /// Both, with one ambient term that belongs to neither.
     OneAmbient,
     /// Both, with a common ambient term that is added for each.
@@ -62,11 +67,16 @@ pub enum Lights {
 }
 
 impl Lights {
+    /// Whether only the last light is there, because it overwrites the others.
+    pub fn is_last(self) -> bool {
+        matches!(self, Lights::Second | Lights::SecondOneAmbient | Lights::SecondAllAmbient)
+    }
+
     /// Returns the lights, each with whether the hypothesis applies to it.
     pub fn each(self) -> &'static [(usize, bool)] {
         match self {
             Lights::One | Lights::First => &[(0, true)],
-            Lights::Second | Lights::SecondOneAmbient => &[(1, true)],
+            Lights::Second | Lights::SecondOneAmbient | Lights::SecondAllAmbient => &[(1, true)],
             Lights::Both | Lights::OneAmbient | Lights::EachAmbient => &[(0, true), (1, true)],
             Lights::WrongInSecond => &[(0, false), (1, true)],
             Lights::WrongInFirst => &[(0, true), (1, false)],
@@ -77,7 +87,7 @@ impl Lights {
     pub fn mistake(self) -> Option<&'static str> {
         match self {
             Lights::First => Some("second-light-missing"),
-            Lights::Second | Lights::SecondOneAmbient => Some("lights-overwritten"),
+            Lights::Second | Lights::SecondOneAmbient | Lights::SecondAllAmbient => Some("lights-overwritten"),
             Lights::EachAmbient => Some("ambient-twice"),
             _ => None,
         }
@@ -310,6 +320,9 @@ impl Parameterisation {
             _ if self.coloured && !self.own[0] => {
                 &[Lights::First, Lights::Second, Lights::SecondOneAmbient, Lights::WrongInSecond, Lights::WrongInFirst]
             }
+            _ if self.own[0] && !self.coloured => {
+                &[Lights::First, Lights::Second, Lights::SecondAllAmbient, Lights::WrongInSecond, Lights::WrongInFirst]
+            }
             _ => &[Lights::First, Lights::Second, Lights::WrongInSecond, Lights::WrongInFirst],
         }
     }
@@ -353,8 +366,7 @@ impl Parameterisation {
         strength_of: impl Fn(usize, bool, f32) -> f32,
     ) {
         self.apply(test_scene);
-        // The last light.
-        let is_last = matches!(lights, Lights::Second | Lights::SecondOneAmbient);
+        let is_last = lights.is_last();
         let is_second = light > 0 && !(is_last && self.counted && test_scene.other.is_none());
         let is_missing = is_second && test_scene.other.is_none();
         let is_one_ambient =
@@ -370,6 +382,9 @@ impl Parameterisation {
                 }
                 test_scene.light.ambient = first.ambient;
             }
+            if lights == Lights::SecondAllAmbient {
+                test_scene.light.ambient += first.ambient;
+            }
             test_scene.other = Some(first);
         }
         let light = &mut test_scene.light;
@@ -380,7 +395,7 @@ impl Parameterisation {
                 *strength = strength_of(index, self.given[index], *strength);
             }
             *strength *= match index {
-                0 if is_one_ambient && is_last => 1.0,
+                0 if is_last && (is_one_ambient || lights == Lights::SecondAllAmbient) => 1.0,
                 0 if is_one_ambient && lights != Lights::EachAmbient => f32::from(u8::from(!is_second)),
                 _ if is_missing => 0.0,
                 _ => brightness,
@@ -391,7 +406,9 @@ impl Parameterisation {
     /// Changes a test scene to the inputs that the program has.
     pub fn apply(&self, test_scene: &mut TestScene) {
         if !self.material {
-            test_scene.material = Vec3::ONE;
+            // Fitted strengths take up any grey, and white in all of several colours would make every picture white.
+            let is_grey = self.white_material && self.to_find == [true; 3];
+            test_scene.material = if is_grey { Vec3::splat(GREY) } else { Vec3::ONE };
         }
         if let Some(position) = self.light_position {
             test_scene.light.position = position;

@@ -30,9 +30,10 @@ impl Analysis {
         Analysis { reading: Reading::new(vertex, fragment, names) }
     }
 
-    /// Analyses a pair, and adds to the names the roles of matrices that only their use in the position tells.
+    /// Analyses a pair, and adds to the names the roles that only their use tells: of matrices by the position, of an exponent by
+    /// the power.
     #[must_use]
-    pub fn with_matrices_by_use(vertex: &Shader, fragment: &Shader, names: &mut NamesFile) -> Self {
+    pub fn with_roles_by_use(vertex: &Shader, fragment: &Shader, names: &mut NamesFile) -> Self {
         let source = Analysis::new(vertex, fragment, names);
         let leaves = [vertex, fragment].into_iter().flat_map(|shader| gonio_glsl::leaves(&shader.checked.interface));
         let declared: Vec<Declared> =
@@ -40,7 +41,8 @@ impl Analysis {
         // The exercises' own V has no projection.
         let has_projection = declared.iter().any(|declared| declared.name == "V")
             || roles::bind(&declared, names).bound.iter().any(|bound| bound.role.projects());
-        let by_use = matrices_by_use(&source.reading, has_projection);
+        let mut by_use = matrices_by_use(&source.reading, has_projection);
+        by_use.extend(exponent_by_use(&source.reading));
         if by_use.is_empty() {
             return source;
         }
@@ -112,6 +114,20 @@ impl Analysis {
         let node = self.reading.graph.node(node);
         (node.span.line > 0).then_some(Place { stage: node.stage, span: node.span })
     }
+}
+
+/// The exponent of the highlight, if its name says that it is a strength.
+fn exponent_by_use(reading: &Reading) -> Option<(String, Role)> {
+    let exponents = reading.powers().into_iter().filter_map(|(_, _, exponent)| {
+        match reading.graph.op(reading.graph.core(exponent)) {
+            Op::Input { name, role } => Some((name, *role)),
+            _ => None,
+        }
+    });
+    let exponents: Vec<(&String, Option<Role>)> = exponents.collect();
+    let has_own = exponents.iter().any(|(_, role)| *role == Some(Role::Shininess));
+    let misnamed = exponents.into_iter().find(|(_, role)| role.is_some_and(|role| role.scales(2)));
+    misnamed.filter(|_| !has_own).map(|(name, _)| (name.clone(), Role::Shininess))
 }
 
 /// Returns the roles that matrices with unclear names must have. Empty if all names are clear, or if the position is

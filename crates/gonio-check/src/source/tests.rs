@@ -298,7 +298,7 @@ fn by_use(uniforms: &str, position: &str) -> Vec<(String, Role)> {
     let fragment = "#version 330 core\nout vec4 c;\nvoid main() { c = vec4(1.0); }";
     let (vertex, fragment) = (parsed(&vertex, Stage::Vertex), parsed(fragment, Stage::Fragment));
     let mut names = NamesFile::default();
-    let _ = Analysis::with_matrices_by_use(&shader(&vertex), &shader(&fragment), &mut names);
+    let _ = Analysis::with_roles_by_use(&shader(&vertex), &shader(&fragment), &mut names);
     names.by_use.into_iter().collect()
 }
 
