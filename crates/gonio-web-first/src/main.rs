@@ -39,7 +39,6 @@ mod first {
     }
 
     /// A triangle without and one with a texture, drawn in place of the scene while its files arrive.
-    const PLAIN: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\n";
     const STAND_IN: [(&str, &str); 2] = [
         (
             "stand-in.obj",
@@ -127,9 +126,6 @@ mod first {
             let mut files = Files::default();
             for (name, text) in STAND_IN {
                 files.0.insert(name.to_owned(), text.as_bytes().to_vec().into());
-            }
-            if !textured {
-                files.0.insert(STAND_IN[0].0.to_owned(), PLAIN.as_bytes().to_vec().into());
             }
             if textured {
                 files.0.insert("stand-in.png".to_owned(), decoded_picture(1, 1, &[255; 4]).into());

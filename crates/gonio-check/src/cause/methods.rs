@@ -70,16 +70,7 @@ impl<'a> Hints<'a> {
     pub fn certain(&self, program: &Program) -> Option<&'static str> {
         const MEASURING: [&str; 4] = ["length", "distance", "sqrt", "inversesqrt"];
         let measures = |stage: usize| MEASURING.iter().any(|name| self.uses(stage, name));
-        let is_of_attenuation = |role: Role| {
-            matches!(
-                role,
-                Role::Attenuation(_)
-                    | Role::AttenuationConstant(_)
-                    | Role::AttenuationLinear(_)
-                    | Role::AttenuationQuadratic(_)
-            )
-        };
-        let has_constants = program.bindings.bound.iter().any(|bound| is_of_attenuation(bound.role));
+        let has_constants = program.bindings.bound.iter().any(|bound| bound.role.is_of_attenuation());
         let is_missing = self.task.attenuated && !has_constants && !measures(0) && !measures(1);
         is_missing.then_some("attenuation-missing")
     }

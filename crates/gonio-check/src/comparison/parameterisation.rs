@@ -208,15 +208,7 @@ impl Parameterisation {
             of_second(&|role| role.scales(0)),
             of_second(&|role| role.scales(1)),
             of_second(&|role| role.scales(2)),
-            of_second(&|role| {
-                matches!(
-                    role,
-                    Role::AttenuationConstant(_)
-                        | Role::AttenuationLinear(_)
-                        | Role::AttenuationQuadratic(_)
-                        | Role::Attenuation(_)
-                )
-            }),
+            of_second(&|role| role.is_of_attenuation()),
         ];
         let second = if !of_second(&is_place) {
             Second::None

@@ -307,6 +307,18 @@ impl Role {
         )
     }
 
+    /// Whether it is a constant of the attenuation, or several.
+    #[must_use]
+    pub const fn is_of_attenuation(self) -> bool {
+        matches!(
+            self,
+            Self::AttenuationConstant(_)
+                | Self::AttenuationLinear(_)
+                | Self::AttenuationQuadratic(_)
+                | Self::Attenuation(_)
+        )
+    }
+
     /// Whether it is a role of attributes.
     #[must_use]
     pub const fn is_attribute(self) -> bool {

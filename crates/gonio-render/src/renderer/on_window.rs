@@ -57,18 +57,18 @@ impl Renderer {
         let gl = &shared.gl;
         let _state = SavedState::save(gl);
         let _group = DebugGroup::new(gl, "sketch");
-        let mut notes = Vec::new();
-        let height = frame.height as i32;
+        let size = [frame.width, frame.height];
         if frame.samples == 1 {
-            let size = [frame.width, frame.height];
             self.check_size(size)?;
             canvas.fit(size)?;
             canvas.begin_with_depth()?;
             let draw_calls = self.displayed_scene(scene, frame, display, Place { top_row_first: true, grid: 1 })?;
-            return Ok(Painted { draw_calls, ..Painted::default() });
+            return Ok(Painted { draw_calls, is_sketch: true, ..Painted::default() });
         }
+        let mut notes = Vec::new();
+        let height = frame.height as i32;
         let target = self.target_for(scene, frame, height, ColorPrecision::Displayed, PANES, &mut notes)?;
-        canvas.fit([frame.width, frame.height])?;
+        canvas.fit(size)?;
         // Before anything is drawn: checking whether a program linked waits for all earlier draws.
         shared.output_program_for(&target, Display::Linear)?;
         target.begin(gl, 0, height);
@@ -77,7 +77,7 @@ impl Renderer {
         target.resolve(gl);
         let whole = Band { picture_height: height, first_row: 0, rows: height };
         shared.output_into(canvas.output(), &target, whole, &DisplaySettings::of_numbers(), Display::Linear)?;
-        Ok(Painted { notes, draw_calls, ..Painted::default() })
+        Ok(Painted { notes, draw_calls, is_sketch: true, ..Painted::default() })
     }
 
     /// Draws opaque objects before the background as displayed colours, into the framebuffer that is bound.

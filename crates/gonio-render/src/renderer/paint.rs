@@ -19,6 +19,8 @@ use std::rc::Rc;
 pub struct Painted {
     /// Limits of the driver that changed the picture, for example fewer samples.
     pub notes: Vec<String>,
+    /// Whether it differs from the picture at edges, as [`Renderer::paint_sketch`] may draw it.
+    pub is_sketch: bool,
     /// Draw calls of the view and its overlays.
     pub draw_calls: u32,
     /// The counters of the GPU, if they were requested.
@@ -137,7 +139,7 @@ impl Renderer {
         if show.overlays.any() {
             draw_calls += shared.draw_overlays(show.overlays, scene, &mut self.cache, frame, canvas)?;
         }
-        Ok(Painted { notes, draw_calls, statistics })
+        Ok(Painted { notes, draw_calls, statistics, ..Painted::default() })
     }
 }
 

@@ -129,7 +129,7 @@ impl Renderer {
         if overlays.any() {
             draw_calls += shared.draw_overlays(overlays, scene, &mut self.cache, frame, canvas)?;
         }
-        Ok(Painted { notes: Vec::new(), draw_calls, statistics: None })
+        Ok(Painted { draw_calls, ..Painted::default() })
     }
 
     /// A target with one shading per pixel, so that `gl_FragCoord` counts pixels.

@@ -237,8 +237,8 @@ impl PaneDrawing {
         };
         self.shaders = serial;
         // A graphics card draws the picture itself in time.
-        self.sketched = pace.moving && shaders.is_none() && (samples == 1 || renderer.info().is_software());
-        let painted = if self.sketched {
+        let sketches = pace.moving && shaders.is_none() && (samples == 1 || renderer.info().is_software());
+        let painted = if sketches {
             renderer.paint_sketch(uploaded, &frame, &show, canvas)?
         } else if pace.moving {
             paint(renderer, shaders, (loaded, uploaded), &frame, &show, canvas)?
@@ -261,6 +261,7 @@ impl PaneDrawing {
         facts.samples = frame.samples;
         facts.pictures += 1;
         facts.notes = painted.notes;
+        self.sketched = painted.is_sketch;
         self.serial += 1;
         self.drawn = Some((frame, show));
         Ok(())
