@@ -20,10 +20,12 @@ pub fn step(root: &Path) -> Findings {
     if installed.failed > 0 {
         return installed;
     }
-    let program = target_folder(root).join("debug").join(format!("gonio{}", std::env::consts::EXE_SUFFIX));
-    if !program.is_file() {
-        return Findings::fail(format!("{} is missing; `cargo build` makes it", program.display()));
+    // Nothing is to be done where all tests were built before.
+    let built = super::cargo_check(root, &["build", "--locked", "--package", "gonio"], &[]);
+    if built.failed > 0 {
+        return built;
     }
+    let program = target_folder(root).join("debug").join(format!("gonio{}", std::env::consts::EXE_SUFFIX));
     Environment::new(root).and_then(|python| python.test(&program)).unwrap_or_else(Findings::fail)
 }
 
