@@ -1,6 +1,7 @@
 #version 330 core
 in vec3 world_position;
 in vec3 v_normal;
+in vec3 v_from_eye;
 
 uniform vec3 u_view_pos;
 uniform float refractionIndice;

@@ -221,7 +221,7 @@ pub(crate) const SLIPS: &[Slip] = &[
         whole_by_position(a, p) && p.space == Space::World
     }),
     unlisted("distance-light-to-eye", Site::Distance, |a, p| whole_by_position(a, p) && p.space == Space::World),
-    unlisted("distance-squared", Site::Distance, whole),
+    listed("distance-squared", Site::Distance, whole),
     listed("attenuation-missing", Site::Attenuation, whole),
     listed("attenuation-without-constant", Site::Attenuation, whole),
     listed("attenuation-without-linear", Site::Attenuation, whole),

@@ -110,7 +110,7 @@ pub(super) fn hypothesis_of(all: &Hypotheses, chosen: &[(&str, bool)]) -> Option
 }
 
 /// Vectors that are the same in another space after a rotation.
-pub(super) const DIRECTIONS: [&str; 19] = [
+pub(super) const DIRECTIONS: [&str; 20] = [
     "N",
     "world_normal",
     "v_normal",
@@ -121,6 +121,7 @@ pub(super) const DIRECTIONS: [&str; 19] = [
     "R",
     "I",
     "from_eye",
+    "v_from_eye",
     "looked_up",
     "H",
     "up",

@@ -72,6 +72,11 @@ pub(super) fn first_conclusion<'a>(
                 let right = Found::Right(Agreement { highlight: None, strengths: [None; 3] });
                 return Ok(Diagnosis { has_steps: true, ..one.diagnosis(right, methods(one.task)[0]) });
             }
+            None if one.task.model.is_lit() && attempt != Attempt::White => {
+                if let Some(right) = right_without_limits(&one)? {
+                    return Ok(Diagnosis { limits_colours: true, ..right });
+                }
+            }
             None => {}
         }
         match attempt {
@@ -127,6 +132,15 @@ pub(super) fn first_conclusion<'a>(
     }
     let Some((first, _)) = wrong.first() else { return Err("no program".to_owned()) };
     first.wrong(Vec::new())
+}
+
+/// The diagnosis of a program that is right but for the limits that its vertex shader sets to colours.
+fn right_without_limits(one: &Diagnosing<'_>) -> Result<Option<Diagnosis>, String> {
+    let Some(seen) = one.without_limits().filter(|seen| !is_black(seen) && !is_flat(seen)) else { return Ok(None) };
+    let lights = one.parameterisation.right_lights();
+    let all = methods(one.task).into_iter().filter(|method| method.model.is_per_vertex());
+    let likely: Vec<_> = all.flat_map(|method| lights.iter().map(move |lights| (method, *lights))).collect();
+    one.right(&seen, &likely)
 }
 
 /// The results for all items in order, computed on all cores as far as they are asked for.

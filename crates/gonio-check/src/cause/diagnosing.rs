@@ -100,6 +100,7 @@ impl Diagnosing<'_> {
             fixes: Vec::new(),
             unused_terms: [false; 3],
             has_steps: false,
+            limits_colours: false,
             has_own_depth: false,
         }
     }

@@ -72,7 +72,8 @@ impl Found {
     }
 
     /// Whether it says where the errors are.
-    pub(super) fn is_rooted(&self) -> bool {
+    #[must_use]
+    pub fn is_rooted(&self) -> bool {
         match self {
             Found::Right(_) | Found::Endless => true,
             Found::Causes(groups) => groups.iter().all(|group| group.first().is_some_and(ProvenCause::is_root)),

@@ -21,6 +21,7 @@ mod form;
 pub(crate) mod formula;
 pub mod found;
 mod influence;
+mod limits;
 mod line_by_line;
 mod methods;
 pub(crate) mod model;
@@ -114,6 +115,8 @@ pub struct Diagnosis {
     pub unused_terms: [bool; 3],
     /// Whether a right program draws diffuse light in steps.
     pub has_steps: bool,
+    /// Whether the vertex shader of a right program limits its colours to 1.
+    pub limits_colours: bool,
     /// Whether a right skybox is drawn at its own depth instead of the largest one.
     pub has_own_depth: bool,
 }

@@ -38,6 +38,15 @@ impl Observed {
     }
 }
 
+/// How often a function is evaluated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Evaluations {
+    /// Twice, as for two lights.
+    Several,
+    /// More often.
+    Many,
+}
+
 /// Observes a program and compares its values with the quantities of one method.
 #[derive(Clone, Copy)]
 pub(crate) struct Observer<'a> {
@@ -268,6 +277,27 @@ impl Observer<'_> {
         let expressions = &self.runner.program.stage(seen.stage).source.expressions;
         let is_own = || expressions.iter().any(|expression| expression.function.as_deref() == Some(name.as_str()));
         (is_call && is_own()).then_some(name)
+    }
+
+    /// The student's function that an expression is in.
+    pub(super) fn function(&self, seen: &Observed) -> Option<&str> {
+        let source = &self.runner.program.stage(seen.stage).source.expressions[seen.expr.0 as usize];
+        source.function.as_deref()
+    }
+
+    /// Functions that read no input and are evaluated more than once, such as a square or a length.
+    pub(super) fn helpers(&self, observed: &[Observed]) -> BTreeMap<&str, Evaluations> {
+        let mut found = BTreeMap::new();
+        for seen in observed {
+            let (Some(name), Some(occurrence @ 1..)) = (self.function(seen), seen.occurrence) else { continue };
+            let evaluations = if occurrence > 1 { Evaluations::Many } else { Evaluations::Several };
+            let known = found.entry(name).or_insert(evaluations);
+            *known = evaluations.max(*known);
+        }
+        for reading in observed.iter().filter(|seen| self.is_input(seen)) {
+            self.function(reading).map(|name| found.remove(name));
+        }
+        found
     }
 
     /// The text of an expression.

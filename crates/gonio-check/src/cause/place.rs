@@ -53,8 +53,8 @@ pub struct MistakePlace {
     pub is_given: bool,
     /// Whether the mistake is made in the sum of all terms, and in no other.
     pub is_sum: bool,
-    /// Whether it is the place whatever is proven: the half vector, from which the value of the mistake is computed, or the sum
-    /// that lacks the attenuation.
+    /// Whether it is the place whatever is proven: the half vector, from which the value of the mistake is computed, the sum
+    /// that lacks the attenuation, or the vertex shader's vector that should not be interpolated.
     pub is_decisive: bool,
 }
 
@@ -207,8 +207,14 @@ pub(super) fn places(
             )?,
             false => None,
         };
+        // A vector that is computed in the vertex shader, and then interpolated.
+        let interpolated = || {
+            let of_stage = |stage| direct.iter().filter(move |(_, one)| one.stage == stage);
+            of_stage(Stage::Fragment).next()?;
+            of_stage(Stage::Vertex).find_map(|(name, one)| first_with(program, &observed, name, one))
+        };
         let branch = (mistake.id == WHERE_UNLIT).then(|| written_in_branch(program, &observed)).flatten();
-        let decisive = vector.or(sum_without).or(branch);
+        let decisive = vector.or(sum_without).or(branch).or(interpolated());
         let is_decisive = decisive.is_some();
         let place = decisive.or(put_out).map(|seen| (seen, true)).or_else(|| match is_right_elsewhere {
             true => of_after().or_else(of_direct),
@@ -220,7 +226,12 @@ pub(super) fn places(
                     of.stage == seen.stage
                         && (of.values.is_same(&seen.values) || of.values.is_scaled(&seen.values, -1.0))
                 });
-            let seen = if is_given { last_copy(program, &observed, seen).unwrap_or(seen) } else { seen };
+            let of_term = || named_after_term(program, &observed, seen, &mistake.id);
+            let seen = match is_given {
+                true => last_copy(program, &observed, seen).or_else(of_term).unwrap_or(seen),
+                false => seen,
+            };
+            let seen = caller_of_helper(program, &observed, seen).unwrap_or(seen);
             found.push(MistakePlace { is_sum, is_given, is_decisive, ..place_at(program, mistake, seen, is_direct) });
         }
     }
@@ -346,6 +357,41 @@ fn last_copy<'a>(program: &Program, observed: &'a [Recorded], of: &Recorded) -> 
     };
     let is_same = |seen: &&Recorded| seen.stage == of.stage && seen.values.is_same(&of.values);
     observed.iter().filter(is_copy).filter(is_same).max_by_key(|seen| seen.order)
+}
+
+/// The call with the value of an expression in a function that computes values from its arguments alone, and is called often: the
+/// function is right, and one of its calls wrong.
+fn caller_of_helper<'a>(program: &Program, observed: &'a [Recorded], of: &Recorded) -> Option<&'a Recorded> {
+    const OFTEN: usize = 3;
+    let function = |stage: Stage, expr: ExprId| {
+        let source = &program.stage(stage).source.expressions[expr.0 as usize];
+        source.function.as_deref().filter(|name| *name != "main")
+    };
+    let name = function(of.stage, of.expr)?;
+    let is_evaluated_often =
+        observed.iter().filter(|seen| (seen.stage, seen.expr) == (of.stage, of.expr)).count() >= OFTEN;
+    let mut within = program.numbers(of.stage).into_iter().filter(|expr| function(of.stage, *expr) == Some(name));
+    if !is_evaluated_often || within.any(|expr| program.is_input(of.stage, program.text(of.stage, expr))) {
+        return None;
+    }
+    let is_caller = |seen: &&Recorded| {
+        seen.stage == of.stage
+            && function(seen.stage, seen.expr) != Some(name)
+            && program.is_call(seen.stage, seen.expr)
+            && seen.values.is_same(&of.values)
+    };
+    observed.iter().filter(is_caller).min_by_key(|seen| seen.order)
+}
+
+/// The last expression with the same value that a variable is set to which is named after the term of a mistake.
+fn named_after_term<'a>(program: &Program, observed: &'a [Recorded], of: &Recorded, id: &str) -> Option<&'a Recorded> {
+    let term = term_of(id)?;
+    let is_of_term = |seen: &&Recorded| {
+        !is_name(program.text(seen.stage, seen.expr))
+            && program.variable_set_to(seen.stage, seen.expr).is_some_and(|name| is_about(name, term))
+    };
+    let is_same = |seen: &&Recorded| seen.stage == of.stage && seen.values.is_same(&of.values);
+    observed.iter().filter(is_of_term).filter(is_same).max_by_key(|seen| seen.order)
 }
 
 /// The number or vector of numbers that is put out at some points alone, or else where some points alone get ambient light.

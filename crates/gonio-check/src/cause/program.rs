@@ -142,6 +142,15 @@ impl Program {
         in_text(&self.instances, name)
     }
 
+    /// Whether something is raised to a power, or an input is an exponent.
+    pub fn has_exponent(&self) -> bool {
+        let is_power =
+            |stage: Stage| self.numbers(stage).into_iter().any(|expr| self.text(stage, expr).contains("pow"));
+        self.bindings.bound.iter().any(|bound| bound.role == Role::Shininess)
+            || is_power(Stage::Vertex)
+            || is_power(Stage::Fragment)
+    }
+
     /// Whether a text is the name of a uniform, or of an attribute.
     #[must_use]
     pub fn is_input(&self, stage: Stage, text: &str) -> bool {

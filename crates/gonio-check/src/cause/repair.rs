@@ -1,7 +1,9 @@
 //! Right values for wrong expressions, by what they have in common with the wrong ones.
 
 use super::model::{INPUTS, Model, Quantity, Space};
-use super::observed::{DIFFUSE_NAMES, Observed, Observer, SPECULAR_NAMES, SUMS, TERMS, has_space, is_single_token};
+use super::observed::{
+    DIFFUSE_NAMES, Observed, Observer, SPECULAR_NAMES, SUMS, TERMS, has_space, is_name, is_single_token,
+};
 use super::program::Change;
 use super::values::Values;
 use gonio_threads::prelude::*;
@@ -47,6 +49,16 @@ pub(super) const FACTORS: [&str; 11] = [
     "PI",
     "roughness",
 ];
+
+/// An input that no lamp's light depends on.
+const REFRACTION_INDEX: &str = "refractionIndice";
+/// The direction in which a cubemap is sampled, which is in the world.
+const LOOKED_UP: &str = "looked_up";
+/// The attenuation, and the constants that it is computed from.
+const OF_ATTENUATION: [&str; 4] = ["attenuation", "light.constant", "light.linear", "light.quadratic"];
+
+/// Those of the highlight, in programs that have one.
+const OF_HIGHLIGHT: [&str; 2] = ["shininess", "spec"];
 
 /// How the right values are made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -171,7 +183,8 @@ impl Observer<'_> {
         if asked == Asked::Known && known.is_empty() && !may_be_curve {
             return all;
         }
-        let fits = |q: &Quantity| !has_space(&q.name) || q.space == space;
+        let fits =
+            |q: &Quantity| !has_space(&q.name) || q.space == if q.name == LOOKED_UP { Space::World } else { space };
         let is_right = seen.is.is_some_and(|is| fits(&model.quantities[is]));
         let length = self.text(seen).len() as f32;
         let is_literal = self.is_literal(seen) || self.is_zero(seen);
@@ -179,7 +192,7 @@ impl Observer<'_> {
         // `vec3(ambient)` is as right as the number, and may only lack a colour.
         let grey = if seen.is.is_none() { seen.values.grey() } else { None };
         let is_right_grey = grey.is_some_and(|grey| self.recognise(seen.stage, &grey).is_some());
-        let is_same_in_scene = OnceCell::new();
+        let (is_same_in_scene, is_of_input) = (OnceCell::new(), OnceCell::new());
         let mut push = |relation: Relation, should: String, make: Make, extra: f32| {
             let quantity = if let Make::Quantity(index) = make { Some(&model.quantities[index]) } else { None };
             // A literal stands for a constant, unless a known mistake writes it instead of a quantity.
@@ -207,12 +220,21 @@ impl Observer<'_> {
             let cost = cost + length * 0.002;
             all.push(Repair { of, relation, should, make, cost });
         };
+        let has_no_attenuation =
+            model.right("attenuation", seen.stage, false).is_some_and(|attenuation| attenuation.is_constant());
         for (index, quantity) in model.quantities.iter().enumerate() {
             let is_candidate = quantity.stage == seen.stage && quantity.mistake.is_none() && fits(quantity);
             if !is_candidate || quantity.values.size != size {
                 continue;
             }
             let right = &quantity.values;
+            // In an exercise without attenuation, it is 1 everywhere.
+            if quantity.name == REFRACTION_INDEX && model.method.model.is_lit() {
+                continue;
+            }
+            if has_no_attenuation && OF_ATTENUATION.contains(&quantity.name.as_str()) {
+                continue;
+            }
             let is_it = |k: &&Quantity| k.name == quantity.name && k.interpolated == quantity.interpolated;
             let is_known = known.iter().any(is_it);
             if asked == Asked::Known && !is_known {
@@ -237,6 +259,14 @@ impl Observer<'_> {
             let is_input = || INPUTS.iter().any(|(name, ..)| *name == quantity.name);
             let is_number = relation == Relation::Other && size == 1 && (right.is_constant() || is_input());
             if is_number && (is_compared || !*is_same_in_scene.get_or_init(|| self.is_same_in_each_scene(seen))) {
+                continue;
+            }
+            // A number that is computed from inputs alone never varies from place to place.
+            let is_varying = !is_number && relation == Relation::Other && size == 1 && !right.is_constant();
+            if is_varying
+                && *is_same_in_scene.get_or_init(|| self.is_same_in_each_scene(seen))
+                && *is_of_input.get_or_init(|| self.is_of_input(observed, seen))
+            {
                 continue;
             }
             // Where nothing resembles attenuated light, the plain term is tried.
@@ -269,8 +299,11 @@ impl Observer<'_> {
         }
         if size == 1 || size == 3 {
             self.scaled(observed, seen, &mut push);
-            // A term that is computed but not added.
-            for (index, other) in observed.iter().enumerate() {
+            // A term that is computed but not added, which is never missing in a component of a vector.
+            let last = self.text(seen).rsplit_once('.').map(|(_, component)| component);
+            let is_component = size == 1 && is_name(self.text(seen)) && last.is_some_and(|last| last.len() == 1);
+            let others = observed.iter().enumerate().filter(|_| !is_component);
+            for (index, other) in others {
                 if other.stage != seen.stage || other.values.size > size {
                     continue;
                 }
@@ -298,6 +331,21 @@ impl Observer<'_> {
             all.all(|point| (seen.values.at(point)[0] - one).abs() <= 1e-4 * one.abs().max(1.0))
         };
         seen.values.is_constant() || (0..self.runner.samples.len()).all(is_same)
+    }
+
+    /// Whether an input or a component of one is part of an expression.
+    fn is_of_input(&self, observed: &[Observed], seen: &Observed) -> bool {
+        let reads = |part: &Observed| {
+            let of_vector = self.text(part).rsplit_once('.').filter(|(_, component)| component.len() == 1);
+            let is_one = |is: usize| INPUTS.iter().any(|(name, ..)| *name == self.model.quantities[is].name);
+            self.is_input(part)
+                || part.is.is_some_and(is_one)
+                || of_vector.is_some_and(|(vector, _)| self.runner.program.is_input(part.stage, vector.trim()))
+        };
+        let set = seen.defined_at.map(|of| &observed[of]);
+        observed
+            .iter()
+            .any(|part| reads(part) && (self.is_within(part, seen) || set.is_some_and(|set| self.is_within(part, set))))
     }
 
     /// Whether a variable is set to a right term in a colour, which may lack that of the object.
@@ -333,10 +381,14 @@ impl Observer<'_> {
         if self.runner.program.is_compared(seen.stage, seen.expr) {
             return;
         }
+        let has_highlight = self.runner.program.has_exponent();
         for (index, quantity) in self.model.quantities.iter().enumerate() {
             let is_factor = quantity.stage == seen.stage && quantity.mistake.is_none() && !quantity.interpolated;
             let name = quantity.name.as_str();
             if !is_factor || !FACTORS.contains(&name) || quantity.values.size > seen.values.size {
+                continue;
+            }
+            if OF_HIGHLIGHT.contains(&name) && !has_highlight {
                 continue;
             }
             let unusual = if ["cos_theta", "spec", "shininess", "d"].contains(&name) { 2.0 } else { 0.0 };

@@ -6,7 +6,7 @@ mod pair;
 use super::explanation::Explanation;
 use super::found::Found;
 use super::influence::{Influence, Trial};
-use super::observed::{DEEPEST, Observed, Observer, is_name};
+use super::observed::{DEEPEST, Evaluations, Observed, Observer, is_name};
 use super::program::Change;
 use super::proven_cause::ProvenCause;
 use super::repair::{Asked, Make, Relation, Repair};
@@ -62,6 +62,16 @@ impl<'a> Search<'a> {
     /// those of the first.
     fn repairs(&self, observed: &[Observed], asked: Asked) -> Vec<Repair> {
         let mut all = self.at.repairs(observed, asked);
+        // One wrong value is no mistake in a function that computes many.
+        let helpers = self.at.helpers(observed);
+        all.retain(|repair| {
+            let of = self.at.function(&observed[repair.of]).and_then(|name| helpers.get(name));
+            match of {
+                Some(Evaluations::Many) => false,
+                Some(Evaluations::Several) => !matches!(repair.relation, Relation::Summand | Relation::Factor),
+                None => true,
+            }
+        });
         if self.lights == Lights::First {
             let mut recognised = BTreeMap::<u32, usize>::new();
             for seen in observed.iter().filter(|seen| !seen.is_assignment) {
@@ -138,6 +148,9 @@ impl<'a> Search<'a> {
         }
         if single.is_rooted() || tried == Tried::Known {
             return single;
+        }
+        if let Some(found) = self.at_each_evaluation(&observed) {
+            return Found::Causes(vec![found]);
         }
         let pair = self.pair(&observed, &[]).filter(|pair| pair.rank() < single.rank());
         pair.unwrap_or(single)
@@ -223,6 +236,32 @@ impl<'a> Search<'a> {
             let others = all.iter().skip(1);
             cause.also.extend(others.clone().map(|other| (observed[other.of].stage, observed[other.of].expr)));
             cause.right.extend(others.map(|other| RightChange::new(other, observed, self.at.model)));
+            return Some(found);
+        }
+        None
+    }
+
+    /// An expression of a function that is called several times, which has the wrong sign or length each time.
+    fn at_each_evaluation(&mut self, observed: &[Observed]) -> Option<Vec<ProvenCause>> {
+        let mut all = self.at.repairs(observed, Asked::All);
+        all.retain(|repair| {
+            let is_of_own_value = matches!(repair.make, Make::Negative | Make::Unit | Make::NotNegative);
+            is_of_own_value && observed[repair.of].occurrence.is_some()
+        });
+        let place = |repair: &Repair| (observed[repair.of].stage, observed[repair.of].expr);
+        for (at, first) in all.iter().enumerate() {
+            let is_same = |other: &&Repair| place(other) == place(first) && other.make == first.make;
+            if all[..at].iter().any(|other| is_same(&other)) {
+                continue;
+            }
+            let each: Vec<&Repair> = all[at..].iter().filter(is_same).collect();
+            let changes: Vec<Change> = each.iter().filter_map(|one| one.change(observed, self.at.model)).collect();
+            if changes.len() < 2 || !self.is_right(&changes) {
+                continue;
+            }
+            let mut found = self.at.causes(&changes[1..], observed, std::slice::from_ref(first), &[]);
+            let cause = found.first_mut()?;
+            cause.right.extend(each.iter().skip(1).map(|other| RightChange::new(other, observed, self.at.model)));
             return Some(found);
         }
         None

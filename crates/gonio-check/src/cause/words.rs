@@ -5,7 +5,7 @@ use super::repair::{Make, Repair};
 use gonio_language::tr;
 
 /// The variables of the model solutions, and the ids of their texts.
-const WORDS: [(&str, &str); 86] = [
+const WORDS: [(&str, &str); 87] = [
     ("world_position", "check-quantity-position"),
     ("world_place", "check-quantity-position"),
     ("model_position", "check-quantity-position-in-model-space"),
@@ -18,6 +18,7 @@ const WORDS: [(&str, &str); 86] = [
     ("to_eye", "check-quantity-vector-to-eye"),
     ("V", "check-quantity-direction-to-eye"),
     ("from_eye", "check-quantity-vector-from-eye"),
+    ("v_from_eye", "check-quantity-vector-from-eye"),
     ("I", "check-quantity-direction-from-eye"),
     ("R", "check-quantity-reflected-or-refracted-direction"),
     ("looked_up", "check-quantity-looked-up-direction"),

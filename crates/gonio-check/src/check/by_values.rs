@@ -196,6 +196,14 @@ impl Judging<'_> {
         let mistakes = match &diagnosis.found {
             Found::Endless => return Ok(endless()),
             Found::Right(_) => self.beside_right_values(diagnosis),
+            // A late value can be repaired in every program: without a name it proves nothing about inputs.
+            found
+                if diagnosis.explanations.is_empty()
+                    && !found.is_rooted()
+                    && diagnosis.bindings.bound.iter().any(is_guessed) =>
+            {
+                Vec::new()
+            }
             _ if diagnosis.explanations.is_empty() => proven(groups, self.submission),
             _ => self.explained(diagnosis, groups),
         };
@@ -253,10 +261,35 @@ impl Judging<'_> {
                 name: tr!("check-the-diffuse-light-is-drawn-in").to_owned(),
             });
         }
+        if diagnosis.limits_colours {
+            verdict.peculiarities.push(Peculiarity {
+                id: "light-limited-at-vertices".to_owned(),
+                name: tr!("check-the-light-is-limited-at-the-vertices").to_owned(),
+            });
+        }
         if diagnosis.has_own_depth {
             verdict.warnings.push(tr!("check-the-sky-has-a-depth-of-its-own").to_owned());
         }
-        let bindings = &diagnosis.bindings;
+        let mut assumed: Vec<String> = Vec::new();
+        for bound in self.assumed(&diagnosis.bindings) {
+            let assumption = assumption(bound);
+            if !assumed.contains(&assumption) {
+                assumed.push(assumption);
+            }
+        }
+        if diagnosis.parameterisation.white_material {
+            assumed.push(tr!("check-all-but-one-of-the-object").to_owned());
+        }
+        verdict.summary = match (assumed.is_empty(), verdict.peculiarities.is_empty()) {
+            (false, _) => tr!("check-right-in-every-test-scene-provided", assumptions = assumed.join(", ")),
+            (true, true) => tr!("check-right-in-every-scene").to_owned(),
+            (true, false) => tr!("check-right-in-every-scene-by-another").to_owned(),
+        };
+        Judged { verdict, evidence: is_seen.then_some(evidence), fixes: Vec::new() }
+    }
+
+    /// The uniforms whose names do not tell their roles.
+    fn assumed<'b>(&self, bindings: &'b Bindings) -> Vec<&'b Bound> {
         let declared = bindings.bound.iter().map(|bound| &bound.declared).chain(&bindings.unknown);
         let declared: Vec<Declared> = declared.cloned().collect();
         let named = crate::roles::bind(&declared, &self.prepared.names);
@@ -268,17 +301,7 @@ impl Judging<'_> {
             let is_uniform = bound.declared.kind == VariableKind::Uniform;
             is_uniform && !bound.declared.name.starts_with("gl_") && !is_named(bound)
         };
-        let assumed = diagnosis.bindings.bound.iter().filter(is_open);
-        let mut assumed: Vec<String> = assumed.map(assumption).collect();
-        if diagnosis.parameterisation.white_material {
-            assumed.push(tr!("check-all-but-one-of-the-object").to_owned());
-        }
-        verdict.summary = match (assumed.is_empty(), verdict.peculiarities.is_empty()) {
-            (false, _) => tr!("check-right-in-every-test-scene-provided", assumptions = assumed.join(", ")),
-            (true, true) => tr!("check-right-in-every-scene").to_owned(),
-            (true, false) => tr!("check-right-in-every-scene-by-another").to_owned(),
-        };
-        Judged { verdict, evidence: is_seen.then_some(evidence), fixes: Vec::new() }
+        bindings.bound.iter().filter(is_open).collect()
     }
 
     /// The mistake of computing the light in the wrong stage, if it is made.
@@ -322,12 +345,7 @@ fn unexplained(task: &Task, mut verdict: Verdict, bindings: &Bindings) -> Verdic
     let is_other = |bound: &&Bound| bound.role == Role::Roughness && !task.model.has_roughness();
     let others = bindings.bound.iter().filter(is_other).map(|bound| &bound.declared);
     let unknown = bindings.unknown.iter().chain(others).filter(|declared| declared.kind == VariableKind::Uniform);
-    // An array's elements may be anything.
-    let is_guessed = |bound: &&Bound| {
-        let is_array = bound.declared.array > 1 && bound.role.light().is_none_or(|_| bound.how == How::Type);
-        is_array && bound.how != How::NamesFile && bound.declared.kind == VariableKind::Uniform
-    };
-    let guessed = bindings.bound.iter().filter(is_guessed).map(|bound| &bound.declared);
+    let guessed = bindings.bound.iter().filter(|bound| is_guessed(bound)).map(|bound| &bound.declared);
     let unknown = unknown.chain(guessed);
     let mut unknown: Vec<String> = unknown.map(|declared| format!("`{}`", declared.name)).collect();
     // Pictures are drawn without the inputs that have no role.
@@ -349,15 +367,34 @@ fn unexplained(task: &Task, mut verdict: Verdict, bindings: &Bindings) -> Verdic
     verdict
 }
 
+/// Whether the name of a uniform does not tell its role. An array's elements may be anything.
+fn is_guessed(bound: &Bound) -> bool {
+    let is_array = bound.declared.array > 1 && bound.role.light().is_none();
+    bound.declared.kind == VariableKind::Uniform && (bound.how == How::Type || is_array && bound.how != How::NamesFile)
+}
+
 /// What the program has to send for a right verdict, as the end of "provided that".
 fn assumption(bound: &Bound) -> String {
-    let name = &bound.declared.name;
-    match bound.role {
+    let is_element = bound.declared.name.contains('[');
+    let name = of_any_element(&bound.declared.name);
+    match if is_element { bound.role.with_light(0) } else { bound.role } {
         Role::ViewRotation | Role::ViewProjectionRotation => {
             tr!("check-the-program-sends-without-its-translation", name = name)
         }
         role => tr!("check-assumed-role", name = name, role = role.to_string()),
     }
+}
+
+/// A name with `i` for each index, since the elements of an array mean the same: `lights[i].pos`.
+fn of_any_element(name: &str) -> String {
+    let mut parts = name.split('[');
+    let mut whole = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        let behind = part.split_once(']').map_or(part, |(_, behind)| behind);
+        whole.push_str("[i]");
+        whole.push_str(behind);
+    }
+    whole
 }
 
 /// The share of right scenes, at most that of a wrong answer.

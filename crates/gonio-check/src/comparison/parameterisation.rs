@@ -298,6 +298,8 @@ impl Parameterisation {
         match self.second {
             Second::None => &[Lights::One],
             _ if self.coloured && !self.own[0] => &[Lights::Both, Lights::OneAmbient],
+            // How many of a list of lights have an ambient term is a choice too: the exercise has one.
+            _ if self.counted && self.own[0] => &[Lights::Both, Lights::OneAmbient],
             _ => &[Lights::Both],
         }
     }

@@ -9,11 +9,11 @@ use std::sync::LazyLock;
 const MEANINGS: &[(&str, &str)] = &[
     // Object, light and viewer.
     (
-        "light lights lighting lightning lamp lamps lampe lum luminaire lumiere lumieres lumière lumières sun soleil spotlight spot pointlight licht lightsource luz luces luce luci swiatlo światło swiatla światła lampa lampy lampada ljus lys lumina",
+        "light lights lighting lightning lamp lamps lampe lum luminaire lumiere lumieres lumière lumières sun soleil spotlight spot pointlight licht lightsource luz luces luce luci swiatlo światło swiatla światła lampa lampy lampada ljus lys lumina svet sveta osveshheniya osveshcheniya osveshchenie",
         "light",
     ),
     (
-        "view kijk oog eye eyes viewer viewing observer observateur oeil œil vue regard vista ansicht sicht blick auge ojo occhio osservatore olho visao visão widok oko",
+        "view kijk oog eye eyes viewer viewing observer observateur oeil œil vue regard vista ansicht sicht blick auge ojo occhio osservatore olho visao visão widok oko vid",
         "view",
     ),
     ("camera cam caméra kamera camara cámara câmera câmara telecamera", "camera"),
@@ -25,11 +25,11 @@ const MEANINGS: &[(&str, &str)] = &[
     ("vertex vert vertices vertexes sommet sommets vtx", "vertex"),
     // Kinds of quantity.
     (
-        "pos posizione pozycja posicao posição positie ort polozenie położenie posicion posición position positions postion postition posn location loc place origin",
+        "pos posizione pozycja poziciya pozitsiya posicao posição positie ort polozenie położenie posicion posición position positions postion postition posn location loc place origin",
         "pos",
     ),
     (
-        "dir direction directions dirs direzione richtung direccion dirección direcao direção kierunek vec vector vect vettore vektor wektor",
+        "dir direction directions dirs direzione richtung direccion dirección direcao direção kierunek napravlenie napravleniya vec vector vect vettore vektor wektor",
         "dir",
     ),
     ("front forward look avant devant vorne gaze", "front"),
@@ -41,7 +41,7 @@ const MEANINGS: &[(&str, &str)] = &[
     ("yaw lacet", "yaw"),
     ("pitch tangage", "pitch"),
     (
-        "color colour colors colours col couleur couleurs clr rgb rgba tint teinte farbe farben colore colori kolor kleur cor barva farg färg renk iro",
+        "color colour colors colours col couleur couleurs clr rgb rgba tint teinte farbe farben colore colori kolor kleur cor barva farg färg renk iro cvet tsvet",
         "color",
     ),
     (
@@ -51,7 +51,10 @@ const MEANINGS: &[(&str, &str)] = &[
     ("count num number nb nbr nombre nr total", "count"),
     ("space espace", "space"),
     // The terms of the light equation.
-    ("ambient ambiente ambientes umgebung ambientale otoczenie amb ambiant ambiante ambience ambiance", "ambient"),
+    (
+        "ambient ambiente ambientes umgebung ambientale otoczenie amb ambiant fonovogo fonovoe ambiante ambience ambiance",
+        "ambient",
+    ),
     (
         "diffuse diffuses diffusa diffuso rozproszenie rozproszone difusa difuso diff dif diffus difuse diffused diffusion",
         "diffuse",
@@ -93,10 +96,10 @@ const MEANINGS: &[(&str, &str)] = &[
     ("eta", "refraction ratio"),
     // Matrices.
     (
-        "proj projektion proyeccion proyección proiezione projecao projeção projekcja rzutowanie rzut projection perspective persp",
+        "proj projektion proyeccion proyección proiezione projecao projeção projekcja rzutowanie rzut proekcii proekciya projection perspective persp",
         "proj",
     ),
-    ("matrix matriz matrice mtx matrixs macierz", "matrix"),
+    ("matrix matriz matrice mtx matrixs macierz matrica matritsa", "matrix"),
     ("transform transformation transf transforms xform", "transform"),
     ("inv inverse inversed invert inverted inversa inverso odwrotna", "inverse"),
     (
@@ -115,7 +118,10 @@ const MEANINGS: &[(&str, &str)] = &[
     ("tex texture textures txt sampler map maps image img", "tex"),
     ("uv uvs st texcoord texcoords texcoor", "tex coord"),
     ("coord coords coordinate coordinates coordonnees", "coord"),
-    ("normal normals normale normales normalen norm nrm nor bump normalna normalne normali", "normal"),
+    (
+        "normal normals normale normales normalen norm nrm nor bump normalna normalne normali normalej normaley",
+        "normal",
+    ),
     ("nm nmat nmatrix", "normal matrix"),
     ("tangent tangents tangente tan", "tangent"),
     ("bitangent binormal bitan", "blocked"),
@@ -235,8 +241,14 @@ impl Words {
         }
         // A prefix letter for a space or a kind: `WeyePos`, `MvertPos`, `vnormal`.
         let mut rest = word.chars();
-        rest.next();
+        let prefix = rest.next();
         let rest = rest.as_str();
+        // `lamb` and `mamb`: a light's part and the material's.
+        match (prefix, meaning(rest)) {
+            (Some('l'), Some("ambient" | "diffuse" | "specular" | "pos" | "dir" | "color")) => self.add("light"),
+            (Some('m'), Some("ambient" | "diffuse" | "specular" | "color")) => self.add("material"),
+            _ => {}
+        }
         if let Some(meanings) = meaning(rest).filter(|_| rest.len() > 2).map(|m| vec![m]).or_else(|| cut(rest)) {
             return meanings.into_iter().for_each(|meaning| self.add(meaning));
         }
@@ -317,6 +329,8 @@ mod tests {
             ("ambient_strength ambientStrength ambientstrength k_ambient AmbientCoefficient", "ambient strength"),
             ("normalMatrix normal_matrix normalmatrix u_NormalMatrix", "matrix normal"),
             ("Kd k_d K_d", "kd"),
+            ("lamb lambient", "ambient light"),
+            ("mdif mdiffuse", "diffuse material"),
             ("bunnytexture textureBunny", "tex"),
             ("refractionIndice ior IOR refractive_index", "index refraction"),
             ("x foo qwerty", ""),

@@ -9,6 +9,7 @@ check-lookup-mixed = The colour of the cubemap is mixed with other colours; the 
 check-only-the-lookup-was-judged = the colour of the cubemap is mixed with other colours; only the lookup was judged, and the pictures show it
 check-the-sky-has-a-depth-of-its-own = the sky is nearer than the largest depth (z = w), so objects beyond its cube are hidden unless the sky is drawn first, without writing depth
 check-the-diffuse-light-is-drawn-in = The diffuse light is drawn in steps (toon shading)
+check-the-light-is-limited-at-the-vertices = The vertex shader limits the light to 1, before it is interpolated
 check-all-but-one-of-the-object = all but one of the object's colours are white
 check-right-in-every-test-scene-provided = right in every test scene, provided that { $assumptions }
 check-right-in-every-scene = right in every scene

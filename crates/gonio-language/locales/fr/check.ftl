@@ -9,6 +9,7 @@ check-lookup-mixed = La couleur de la cubemap est mélangée à d'autres couleur
 check-only-the-lookup-was-judged = la couleur de la cubemap est mélangée à d'autres couleurs ; seule la lecture a été jugée, et ce sont les images de la lecture
 check-the-sky-has-a-depth-of-its-own = le ciel est plus proche que la profondeur maximale (z = w) ; les objets au-delà de son cube sont donc cachés, sauf s'il est dessiné en premier, sans écrire la profondeur
 check-the-diffuse-light-is-drawn-in = La lumière diffuse est dessinée par paliers (ombrage « toon »)
+check-the-light-is-limited-at-the-vertices = Le vertex shader limite la lumière à 1, avant son interpolation
 check-all-but-one-of-the-object = toutes les couleurs de l'objet sauf une sont blanches
 check-right-in-every-test-scene-provided = juste dans toutes les scènes de test, à condition que : { $assumptions }
 check-right-in-every-scene = juste dans toutes les scènes
