@@ -295,7 +295,9 @@ impl Observer<'_> {
             *known = evaluations.max(*known);
         }
         for reading in observed.iter().filter(|seen| self.is_input(seen)) {
-            self.function(reading).map(|name| found.remove(name));
+            if let Some(name) = self.function(reading) {
+                found.remove(name);
+            }
         }
         found
     }
