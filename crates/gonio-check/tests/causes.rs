@@ -696,3 +696,37 @@ fn programs_that_take_long_are_not_judged() {
         assert!(matches!(found, Err(NotJudged::TooLong)), "{found:?}");
     }
 }
+
+/// The old pipeline limits light to 1 at the vertices; any other limit changes the light.
+#[test]
+fn light_may_be_limited_to_one_at_the_vertices_and_to_nothing_else() {
+    let limited = |limit: &str| {
+        let vertex = "#version 330 core
+in vec3 position; in vec3 normal;
+uniform mat4 M, V, P, itM; uniform vec3 u_light_pos, u_view_pos; uniform float shininess;
+out vec3 v_light;
+void main() {
+    vec3 p = vec3(M * vec4(position, 1.0));
+    vec3 n = normalize(mat3(itM) * normal);
+    vec3 l = normalize(u_light_pos - p);
+    float spec = pow(max(dot(reflect(-l, n), normalize(u_view_pos - p)), 0.0), shininess);
+    vec3 sum = vec3(0.2 + 0.9 * max(dot(n, l), 0.0) + spec);
+    v_light = LIMIT;
+    gl_Position = P * V * vec4(p, 1.0);
+}
+";
+        let fragment = "#version 330 core
+in vec3 v_light;
+out vec4 color;
+void main() { color = vec4(v_light, 1.0); }
+";
+        of_exercise("ex05", &vertex.replace("LIMIT", limit), fragment)
+    };
+    for limit in ["clamp(sum, 0.0, 1.0)", "min(sum, vec3(1.0))"] {
+        let diagnosis = limited(limit);
+        assert!(matches!(diagnosis.found, Found::Right(_)) && diagnosis.limits_colours, "{limit}");
+    }
+    for limit in ["clamp(sum, 0.0, 0.5)", "clamp(sum, 0.4, 1.0)"] {
+        assert!(!matches!(limited(limit).found, Found::Right(_)), "{limit}");
+    }
+}

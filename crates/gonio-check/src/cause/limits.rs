@@ -12,7 +12,7 @@ use gonio_interpreter::ExprId;
 /// The functions that limit their first argument.
 const LIMITS: [&str; 2] = ["clamp", "min"];
 
-/// The calls that limit a colour in the vertex shader, each with the colour.
+/// The calls that may limit a colour in the vertex shader, each with the colour.
 fn limited_colours(program: &Program) -> Vec<[ExprId; 2]> {
     let source = &program.stage(Stage::Vertex).source;
     let colours: Vec<ExprId> = (program.numbers(Stage::Vertex).into_iter())
@@ -38,7 +38,7 @@ fn limited_colours(program: &Program) -> Vec<[ExprId; 2]> {
 }
 
 impl Diagnosing<'_> {
-    /// The picture without the limits that the vertex shader sets to colours; `None` if it sets none.
+    /// The picture without the limits of 1 that the vertex shader sets to colours; `None` if it sets none.
     pub(super) fn without_limits(&self) -> Option<Seen> {
         let limited = limited_colours(self.program);
         if limited.is_empty() {
@@ -46,14 +46,19 @@ impl Diagnosing<'_> {
         }
         let samples: Vec<SceneSamples> = self.samples();
         let runner = Runner::new(self.program, &samples);
-        let arguments: Vec<ExprId> = limited.iter().map(|[_, argument]| *argument).collect();
-        let observed = observe(&runner, &[], 0..samples.len(), [&arguments, &[]]);
+        let observed = observe(&runner, &[], 0..samples.len(), [&limited.concat(), &[]]);
+        let values_of = |expr: ExprId| observed.iter().find(|seen| seen.expr == expr).map(|seen| &seen.values);
         let change = |[call, argument]: &[ExprId; 2]| {
-            let seen = observed.iter().find(|seen| seen.expr == *argument && seen.stage == Stage::Vertex)?;
-            let values = seen.values.clone();
-            Some(Change { stage: Stage::Vertex, exprs: vec![*call], occurrence: None, values })
+            let (after, before) = (values_of(*call)?, values_of(*argument)?);
+            // Light is never negative; another limit is a mistake.
+            let limited = before.map(before.size, |_, from, to| {
+                to.iter_mut().zip(from).for_each(|(to, from)| *to = from.min(1.0));
+            });
+            let change =
+                || Change { stage: Stage::Vertex, exprs: vec![*call], occurrence: None, values: before.clone() };
+            after.is_same(&limited).then(change)
         };
         let changes: Vec<Change> = limited.iter().filter_map(change).collect();
-        see(&runner, &changes, 0..samples.len())
+        if changes.is_empty() { None } else { see(&runner, &changes, 0..samples.len()) }
     }
 }
