@@ -11,6 +11,7 @@ import { dirname, extname, join, relative } from "node:path";
 import { fileURLToPath } from "node:url";
 import { brotliCompressSync, constants, gzipSync } from "node:zlib";
 import { build, transform } from "esbuild";
+import { stored } from "./chunks.mjs";
 
 const [moduleFolder, dist] = process.argv.slice(2);
 if (dist === undefined) {
@@ -96,7 +97,9 @@ const ROOM = "environments/room.hdr";
 
 for (const name of [...await builtinFiles(), ROOM]) {
   const first = FIRST.includes(name);
-  const url = addHashed(`samples/${name.replaceAll("/", "-")}`, await readFile(join(repository, "assets", name)), first ? "first" : "later");
+  const bytes = await readFile(join(repository, "assets", name));
+  const sample = extname(name) === ".png" ? stored(bytes) : bytes;
+  const url = addHashed(`samples/${name.replaceAll("/", "-")}`, sample, first ? "first" : "later");
   builtin += first
     ? `<link rel="preload" as="fetch" crossorigin href="${url}" data-builtin="${name}" data-when="first">`
     : `<meta name="sample" content="${url}" data-builtin="${name}" data-when="later">`;

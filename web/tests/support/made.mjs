@@ -1,16 +1,7 @@
 // Files that tests make: pictures and archives, byte by byte.
 
 import { deflateRawSync, deflateSync } from "node:zlib";
-
-/** The check sum of PNG and zip (ISO 3309). */
-function crc32(bytes) {
-  let crc = ~0;
-  for (const byte of bytes) {
-    crc ^= byte;
-    for (let bit = 0; bit < 8; bit++) crc = (crc >>> 1) ^ (crc & 1 ? 0xedb88320 : 0);
-  }
-  return ~crc >>> 0;
-}
+import { crc32, written } from "../../build/chunks.mjs";
 
 const number = (value, bytes, bigEndian = false) => {
   const buffer = Buffer.alloc(bytes);
@@ -22,14 +13,9 @@ const number = (value, bytes, bigEndian = false) => {
 /** A PNG of 8 bits a channel (W3C, PNG 3, 2023). `color(x, y)`: red, green and blue, 0 to 255. */
 export function png(width, height, color) {
   const rows = Array.from({ length: height }, (_, y) => [0, ...Array.from({ length: width }, (_, x) => color(x, y)).flat()]);
-  const chunk = (kind, data) => {
-    const body = Buffer.concat([Buffer.from(kind, "latin1"), data]);
-    return Buffer.concat([number(data.length, 4, true), body, number(crc32(body), 4, true)]);
-  };
   const header = Buffer.concat([number(width, 4, true), number(height, 4, true), Buffer.from([8, 2, 0, 0, 0])]);
   const pixels = deflateSync(Buffer.from(rows.flat()));
-  const signature = Buffer.from([0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a]);
-  return Buffer.concat([signature, chunk("IHDR", header), chunk("IDAT", pixels), chunk("IEND", Buffer.alloc(0))]);
+  return written([{ kind: "IHDR", data: header }, { kind: "IDAT", data: pixels }, { kind: "IEND", data: Buffer.alloc(0) }]);
 }
 
 /** A Radiance picture (.hdr), not compressed. `color(x, y)`: mantissas of red, green and blue, and the exponent: 128 + e

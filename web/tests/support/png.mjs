@@ -2,22 +2,19 @@
 
 import { AssertionError } from "node:assert/strict";
 import { inflateSync } from "node:zlib";
+import { chunksOf } from "../../build/chunks.mjs";
 
 /** Width, height, and `at(x, y)`: red, green and blue, 0 to 255. */
 export function decode(png) {
   let width = 0, height = 0, channels = 0;
   const parts = [];
-  for (let at = 8; at < png.length;) {
-    const length = png.readUInt32BE(at);
-    const kind = png.toString("latin1", at + 4, at + 8);
-    const data = png.subarray(at + 8, at + 8 + length);
+  for (const { kind, data } of chunksOf(png)) {
     if (kind === "IHDR") {
       [width, height] = [data.readUInt32BE(0), data.readUInt32BE(4)];
       channels = { 2: 3, 6: 4 }[data[9]];
       if (data[8] !== 8 || channels === undefined || data[12] !== 0) throw new Error("a kind of PNG that no browser writes");
     }
     if (kind === "IDAT") parts.push(data);
-    at += 12 + length;
   }
   const bytes = inflateSync(Buffer.concat(parts));
   const stride = width * channels;
