@@ -2,7 +2,9 @@
 
 use std::io::Read;
 use std::path::Path;
-use std::process::Command;
+use std::process::{Child, Command};
+use std::sync::mpsc;
+use std::time::{Duration, Instant};
 
 /// The outcome of a program.
 pub struct Outcome {
@@ -31,11 +33,70 @@ pub fn cargo(root: &Path) -> Command {
 pub fn run(command: &mut Command) -> Outcome {
     match run_or_error(command) {
         Ok(outcome) => outcome,
-        Err(error) => {
-            let program = command.get_program().to_string_lossy().into_owned();
-            Outcome { success: false, text: format!("cannot run `{program}`: {error}{}\n", how_to_install(&program)) }
-        }
+        Err(error) => not_run(command, &error),
     }
+}
+
+/// Runs a program like [`run`], for at most `limit`. Then it is ended, which is a failure. With it ends every program that it has
+/// started, also when it ends by itself: one that it leaves behind would hold its stdout open, and be waited for without end.
+pub fn run_within(command: &mut Command, limit: Duration) -> Outcome {
+    #[cfg(unix)]
+    std::os::unix::process::CommandExt::process_group(command, 0);
+    match run_within_or_error(command, limit) {
+        Ok(outcome) => outcome,
+        Err(error) => not_run(command, &error),
+    }
+}
+
+fn not_run(command: &Command, error: &std::io::Error) -> Outcome {
+    let program = command.get_program().to_string_lossy().into_owned();
+    Outcome { success: false, text: format!("cannot run `{program}`: {error}{}\n", how_to_install(&program)) }
+}
+
+fn run_within_or_error(command: &mut Command, limit: Duration) -> std::io::Result<Outcome> {
+    let (mut reader, writer) = std::io::pipe()?;
+    command.stdin(std::process::Stdio::null()).stdout(writer.try_clone()?).stderr(writer);
+    let mut child = command.spawn()?;
+    command.stdout(std::process::Stdio::null()).stderr(std::process::Stdio::null());
+    let (sender, receiver) = mpsc::channel();
+    std::thread::spawn(move || {
+        let mut piece = [0; 4096];
+        while let Ok(count @ 1..) = reader.read(&mut piece) {
+            if sender.send(piece[..count].to_vec()).is_err() {
+                break;
+            }
+        }
+    });
+    let end = Instant::now() + limit;
+    let status = loop {
+        match child.try_wait()? {
+            None if Instant::now() < end => std::thread::sleep(Duration::from_millis(50)),
+            status => break status,
+        }
+    };
+    end_group(&mut child);
+    let mut bytes = Vec::new();
+    // What was written before the end is in the pipe.
+    while let Ok(piece) = receiver.recv_timeout(Duration::from_secs(5)) {
+        bytes.extend(piece);
+    }
+    let mut text = String::from_utf8_lossy(&bytes).into_owned();
+    if status.is_none() {
+        text.push_str(&format!("\nended after {} s, its limit\n", limit.as_secs()));
+    }
+    Ok(Outcome { success: status.is_some_and(|status| status.success()), text })
+}
+
+/// Ends a program, and on Unix its whole group, which it leads.
+fn end_group(child: &mut Child) {
+    #[cfg(unix)]
+    // An error only says that nothing was left.
+    let _ = Command::new("kill")
+        .args(["-KILL", "--", &format!("-{}", child.id())])
+        .stderr(std::process::Stdio::null())
+        .status();
+    let _ = child.kill();
+    let _ = child.wait();
 }
 
 fn run_or_error(command: &mut Command) -> std::io::Result<Outcome> {
@@ -96,5 +157,17 @@ mod tests {
         assert!(!outcome.success);
         assert_eq!(outcome.text, "one\ntwo\n");
         assert_eq!(stdout_of(Command::new("sh").args(["-c", "echo one; echo two >&2"])).unwrap(), "one\n");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_program_that_hangs_is_ended_with_those_that_it_started() {
+        let hung = run_within(Command::new("sh").args(["-c", "echo one; sleep 1000"]), Duration::from_millis(300));
+        assert!(!hung.success);
+        assert!(hung.text.starts_with("one\n") && hung.text.contains("its limit"), "{}", hung.text);
+        // The sleeper holds stdout open after its parent has ended.
+        let left = run_within(Command::new("sh").args(["-c", "sleep 1000 & echo one"]), Duration::from_secs(100));
+        assert!(left.success);
+        assert_eq!(left.text, "one\n");
     }
 }

@@ -6,6 +6,11 @@ use crate::process;
 use crate::report::Findings;
 use std::path::Path;
 use std::process::{Command, Stdio};
+use std::time::Duration;
+
+/// How long all tests of the page may take: several times as long as they need. CI would otherwise wait for one that hangs until
+/// its own limit, and report nothing.
+const LIMIT: Duration = Duration::from_secs(25 * 60);
 
 /// Builds the page. Also fails if a first visit would load too much.
 pub fn build(root: &Path, build: Build) -> Findings {
@@ -73,8 +78,9 @@ pub fn test(root: &Path, program_is_built: bool) -> Findings {
     }
     let program = target_folder(root).join("debug").join(format!("gonio{}", std::env::consts::EXE_SUFFIX));
     let web = root.join("web");
-    let outcome =
-        process::run(node(&web).args(["--test-reporter=tap", "tests/all.mjs"]).env("GONIO_PROGRAM", &program));
+    let mut command = node(&web);
+    command.args(["--test-reporter=tap", "tests/all.mjs"]).env("GONIO_PROGRAM", &program);
+    let outcome = process::run_within(&mut command, LIMIT);
     findings(outcome.success, &outcome.text)
 }
 
