@@ -4,6 +4,8 @@ use std::cell::Cell;
 
 /// Most predictions of single mistakes at few places, with open strengths and lights.
 const MOST_SINGLES: usize = 2_500_000;
+/// The same for what is left wrong beside a repaired value. It is explained soon or not at all, and several values are tried.
+const MOST_BESIDE: usize = 400_000;
 /// Most single mistakes that are drawn at all places. Where most places are white or black, few places tell little.
 const MOST_DRAWN: usize = 300;
 
@@ -21,6 +23,11 @@ impl Default for Budget {
 }
 
 impl Budget {
+    /// For what is left wrong beside repaired values, all of them together.
+    pub fn beside() -> Self {
+        Budget { at_few: Cell::new(MOST_BESIDE), ..Budget::default() }
+    }
+
     /// What is left.
     pub fn left(&self) -> [usize; 2] {
         [self.at_few.get(), self.drawn.get()]

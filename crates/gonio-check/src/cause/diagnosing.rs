@@ -273,7 +273,7 @@ impl Diagnosing<'_> {
         if let (false, true, Lights::One) = (is_rooted, explanations.is_empty(), lights)
             && let Some((model, target)) = of_methods.first()
         {
-            let budget = Budget::default();
+            let budget = Budget::beside();
             let explain = |seen: &Seen| {
                 Ok(match self.explaining(scenes, &budget, |explainer| explainer.singly(seen))? {
                     Singly::Explained(explanations) => explanations,

@@ -31,6 +31,9 @@ const OF_HALF_VECTOR: [&str; 2] = ["half-vector-not-normalised", "half-vector-of
 /// The mistake of putting out black where the light is behind the surface.
 const WHERE_UNLIT: &str = "ambient-missing-where-unlit";
 
+/// The attenuation.
+const ATTENUATION: &str = "attenuation";
+
 /// The position on the screen.
 const POSITION: &str = "gl_Position";
 
@@ -53,8 +56,8 @@ pub struct MistakePlace {
     pub is_given: bool,
     /// Whether the mistake is made in the sum of all terms, and in no other.
     pub is_sum: bool,
-    /// Whether it is the place whatever is proven: the half vector, from which the value of the mistake is computed, the sum
-    /// that lacks the attenuation, or the vertex shader's vector that should not be interpolated.
+    /// Whether it is the place whatever is proven: the half vector, from which the value of the mistake is computed, a part of the
+    /// attenuation's divisor, the sum that lacks the attenuation, or the vertex shader's vector that should not be interpolated.
     pub is_decisive: bool,
 }
 
@@ -95,8 +98,9 @@ fn assigned(
     Ok(seen.into_iter().filter_map(named).collect())
 }
 
-/// The vectors that a model solution computes, with a hypothesis.
-fn vectors(
+/// The numbers or vectors that a model solution computes, by the count of their components, with a hypothesis.
+fn of_size(
+    size: usize,
     solutions: &ModelSolutions,
     (model, hypothesis): (ModelSolution, &Hypothesis),
     samples: &[SceneSamples],
@@ -106,7 +110,7 @@ fn vectors(
     let solution = solutions.program(&texts, exponent)?;
     let exprs = STAGES.map(|stage| solution.program.numbers(stage));
     let mut seen = observe(&Runner::new(&solution.program, samples), &[], 0..samples.len(), [&exprs[0], &exprs[1]]);
-    seen.retain(|seen| seen.values.size == 3);
+    seen.retain(|seen| seen.values.size == size);
     Ok(seen)
 }
 
@@ -129,6 +133,23 @@ fn new_vector<'a>(
     let is_set = |seen: &&Recorded| program.is_whole_value(seen.stage, seen.expr);
     let all = || observed.iter().filter(is_it);
     Ok(all().filter(is_set).min_by_key(|seen| seen.order).or_else(|| all().min_by_key(|seen| seen.order)))
+}
+
+/// The first expression that computes a number that only the model solution with the mistake has, the first of these two.
+fn new_number<'a>(
+    program: &Program,
+    observed: &'a [Recorded],
+    [wrong, right]: [Result<Vec<Recorded>, String>; 2],
+) -> Result<Option<&'a Recorded>, String> {
+    let (wrong, right) = (wrong?, right?);
+    let is_in = |all: &[Recorded], one: &Recorded| {
+        all.iter().any(|other| other.stage == one.stage && other.values.is_same(&one.values))
+    };
+    let is_it = |seen: &&Recorded| {
+        let is_read = is_name(program.text(seen.stage, seen.expr));
+        !is_read && !seen.values.is_constant() && is_in(&wrong, seen) && !is_in(&right, seen)
+    };
+    Ok(observed.iter().filter(is_it).min_by_key(|seen| (seen.stage, seen.order)))
 }
 
 /// The first place of each mistake of an explanation, as far as the program shows one. What is missing for `certain` is missing in
@@ -198,13 +219,17 @@ pub(super) fn places(
         };
         let of_direct = || first(&direct).map(|seen| (seen, true)).or_else(constant);
         let of_after = || first(&after).map(|seen| (seen, false));
+        let both = |size: usize| {
+            [&explanation.hypothesis, &others]
+                .map(|hypothesis| of_size(size, solutions, (model, hypothesis), &samples, exponent))
+        };
         let vector = match OF_HALF_VECTOR.contains(&mistake.id.as_str()) {
-            true => new_vector(
-                program,
-                &observed,
-                [&explanation.hypothesis, &others]
-                    .map(|hypothesis| vectors(solutions, (model, hypothesis), &samples, exponent)),
-            )?,
+            true => new_vector(program, &observed, both(3))?,
+            false => None,
+        };
+        // The sum of the divisor may be made in several lines.
+        let part = match variables.len() == 1 && variables.contains(ATTENUATION) {
+            true => new_number(program, &observed, both(1))?,
             false => None,
         };
         // A vector that is computed in the vertex shader, and then interpolated.
@@ -215,12 +240,16 @@ pub(super) fn places(
         };
         let branch = (mistake.id == WHERE_UNLIT).then(|| written_in_branch(program, &observed)).flatten();
         let decisive = vector.or(sum_without).or(branch).or(interpolated());
-        let is_decisive = decisive.is_some();
+        let mut is_decisive = decisive.is_some();
         let place = decisive.or(put_out).map(|seen| (seen, true)).or_else(|| match is_right_elsewhere {
             true => of_after().or_else(of_direct),
             false => of_direct().or_else(of_after),
         });
-        if let Some((seen, is_direct)) = place {
+        if let Some((mut seen, is_direct)) = place {
+            let order = |seen: &Recorded| (seen.stage, seen.order);
+            if let Some(part) = part.filter(|part| order(part) < order(seen)) {
+                (seen, is_decisive) = (part, true);
+            }
             let is_given = !seen.values.is_constant()
                 && right.iter().any(|(_, of)| {
                     of.stage == seen.stage
