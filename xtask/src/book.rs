@@ -8,7 +8,7 @@
 //! ```
 
 use crate::process;
-use crate::{root, web};
+use crate::{root, target};
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 
@@ -116,7 +116,7 @@ fn draw(program: &Path, root: &Path, picture: &BookPicture) -> Result<(), String
     let target = root.join("docs/pictures").join(format!("{}.png", picture.name));
     let words: Vec<&str> = picture.arguments.iter().map(String::as_str).collect();
     if let ["beyond", station, options @ ..] = words.as_slice() {
-        let folder = web::target_folder(root).join("book-pictures");
+        let folder = target::target_folder(root).join("book-pictures");
         run_program(program, root, &[&words, &["-o", &folder.to_string_lossy()][..]].concat())?;
         let shown = options.iter().skip_while(|word| **word != "--picture").nth(1).copied().unwrap_or_default();
         let drawn = folder.join(format!("{station}-{shown}.png"));
@@ -132,7 +132,7 @@ pub fn program(root: &Path) -> Result<PathBuf, String> {
         return Ok(root.join(program));
     }
     process::stdout_of(process::cargo(root).args(["build", "--quiet", "--locked"]))?;
-    Ok(web::target_folder(root).join("debug").join(format!("gonio{}", std::env::consts::EXE_SUFFIX)))
+    Ok(target::debug_program(root))
 }
 
 fn run_program(program: &Path, root: &Path, arguments: &[&str]) -> Result<String, String> {
@@ -159,7 +159,7 @@ fn markdown_files(folder: &Path) -> Result<Vec<PathBuf>, String> {
 
 /// Builds the book with mdBook; returns what to tell the user.
 fn build(root: &Path) -> Result<String, String> {
-    let site = web::target_folder(root).join("site");
+    let site = target::target_folder(root).join("site");
     let mut mdbook = Command::new("mdbook");
     mdbook.arg("build").arg(root.join("docs")).arg("--dest-dir").arg(site.join("book"));
     match mdbook.output() {

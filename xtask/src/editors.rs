@@ -2,7 +2,8 @@
 
 use crate::process;
 use crate::report::Findings;
-use crate::web::{install_packages, node, target_folder};
+use crate::target::debug_program;
+use crate::web::{install_packages, node};
 use std::path::Path;
 use std::process::ExitCode;
 
@@ -29,7 +30,7 @@ pub fn test(root: &Path) -> Findings {
     if let Err(error) = install_packages(&folder, &mut |_| {}) {
         return Findings::fail(error);
     }
-    let program = target_folder(root).join("debug").join(format!("gonio{}", std::env::consts::EXE_SUFFIX));
+    let program = debug_program(root);
     let outcome = process::run(node(&folder).arg("test.mjs").env("GONIO_PROGRAM", program));
     if outcome.success { Findings::pass() } else { Findings::fail(outcome.text) }
 }

@@ -16,7 +16,7 @@ pub fn unpack(root: &Path, from: &str, purpose: &str) -> Result<PathBuf, String>
         return Err(format!("{from} contains no tables of test cases"));
     }
     let name = from.trim_end_matches(".txt").replace('/', "-");
-    let folder = crate::web::target_folder(root).join("fixtures").join(purpose).join(name);
+    let folder = crate::target::target_folder(root).join("fixtures").join(purpose).join(name);
     let not_written = |error| format!("cannot unpack {from} into {}: {error}", folder.display());
     if folder.exists() {
         std::fs::remove_dir_all(&folder).map_err(not_written)?;

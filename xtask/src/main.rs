@@ -14,6 +14,7 @@ mod process;
 mod report;
 mod score;
 mod setup;
+mod target;
 mod test;
 mod web;
 

@@ -1,6 +1,7 @@
 //! Measures the checker with `gonio lab score`, and compares the result with the table in `exercises/README.md`.
 
 use crate::report::Findings;
+use crate::target::{debug_program, target_folder};
 use crate::{process, root};
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
@@ -22,7 +23,7 @@ pub fn run() -> ExitCode {
         eprintln!("{}", built.text);
         return ExitCode::from(2);
     }
-    let program = crate::web::target_folder(&root).join("release").join(program_name());
+    let program = target_folder(&root).join("release").join(program_name());
     let outcome = measure(&root, &program).and_then(|(table, reached)| {
         let path = root.join(DOCUMENT);
         let document = std::fs::read_to_string(&path).map_err(|error| format!("cannot read {DOCUMENT}: {error}"))?;
@@ -44,7 +45,7 @@ pub fn run() -> ExitCode {
 
 /// Measures with the program that was built for the tests, and compares with the goals and with the document.
 pub fn check(root: &Path) -> Findings {
-    let program = crate::web::target_folder(root).join("debug").join(program_name());
+    let program = debug_program(root);
     let measured = measure(root, &program);
     let document = std::fs::read_to_string(root.join(DOCUMENT)).map_err(|error| format!("{DOCUMENT}: {error}"));
     match (measured, document) {
@@ -68,7 +69,7 @@ const LEAST_OF_GENERATED: [(&str, f64); 4] =
 
 /// Checks generated programs and their rewrites, with a new seed.
 pub fn check_generated(root: &Path) -> Findings {
-    let program = crate::web::target_folder(root).join("debug").join(program_name());
+    let program = debug_program(root);
     let mut command = Command::new(&program);
     command.args(["lab", "score", "--generated", &GENERATED.to_string(), "--json", "--quiet"]).current_dir(root);
     let output = match command.output() {

@@ -15,7 +15,8 @@ pub mod sha256;
 pub mod trial;
 mod wheel;
 
-use crate::web::{self, target_folder};
+use crate::target::target_folder;
+use crate::web;
 use crate::{book, process, root};
 use archive::ArchiveFile;
 use manifests::Release;

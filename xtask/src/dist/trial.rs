@@ -1,8 +1,8 @@
 //! Tries an archive as its user would: unpacked into an empty folder, without any environment variable.
 
 use crate::cases::{Cases, PNG, begins_with, empty_folder, ensure, first_page, run};
+use crate::process;
 use crate::report::Findings;
-use crate::{process, web};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::Instant;
@@ -29,7 +29,7 @@ pub fn step(root: &Path) -> Findings {
 /// Unpacks and tries an archive for Linux.
 pub fn try_archive(root: &Path, archive: &Path) -> Findings {
     let start = Instant::now();
-    let folder = web::target_folder(root).join("packages/try");
+    let folder = crate::target::target_folder(root).join("packages/try");
     let unpacked = empty_folder(&folder).and_then(|()| {
         process::stdout_of(Command::new("tar").arg("-xzf").arg(archive).current_dir(&folder))?;
         let name = archive.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();

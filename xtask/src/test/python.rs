@@ -1,7 +1,7 @@
 //! The Python package: its wheel is built, installed into an environment of its own, and tested there with its documentation.
 
 use crate::report::Findings;
-use crate::web::target_folder;
+use crate::target::{build_program, target_folder};
 use crate::{process, setup};
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -20,13 +20,8 @@ pub fn step(root: &Path) -> Findings {
     if installed.failed > 0 {
         return installed;
     }
-    // Nothing is to be done where all tests were built before.
-    let built = super::cargo_check(root, &["build", "--locked", "--package", "gonio"], &[]);
-    if built.failed > 0 {
-        return built;
-    }
-    let program = target_folder(root).join("debug").join(format!("gonio{}", std::env::consts::EXE_SUFFIX));
-    Environment::new(root).and_then(|python| python.test(&program)).unwrap_or_else(Findings::fail)
+    let tested = build_program(root).and_then(|program| Environment::new(root)?.test(&program));
+    tested.unwrap_or_else(Findings::fail)
 }
 
 /// An environment of Python's, below `target/python`.

@@ -1,9 +1,10 @@
 //! Tests the page in a browser with Node's test runner.
 
 use super::sizes::{MOST_BYTES, MOST_MODULE_BYTES, MOST_START_BYTES};
-use super::{Build, build_page, node, target_folder};
+use super::{Build, build_page, node};
 use crate::process;
 use crate::report::Findings;
+use crate::target::{build_program, debug_program};
 use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::Duration;
@@ -68,15 +69,13 @@ impl BackgroundBuild {
 }
 
 /// Runs the tests in `web/tests` on the page in `dist`, served by gonio itself. `program_is_built`: the workspace's tests
-/// were built, and the program with them. Building the program alone would select other features and build most of it again.
+/// were built, and the program with them.
 pub fn test(root: &Path, program_is_built: bool) -> Findings {
-    if !program_is_built {
-        let built = process::run(process::cargo(root).args(["build", "--locked", "--workspace", "--bins"]));
-        if !built.success {
-            return Findings::fail(built.text);
-        }
-    }
-    let program = target_folder(root).join("debug").join(format!("gonio{}", std::env::consts::EXE_SUFFIX));
+    let program = if program_is_built { Ok(debug_program(root)) } else { build_program(root) };
+    let program = match program {
+        Ok(program) => program,
+        Err(error) => return Findings::fail(error),
+    };
     let web = root.join("web");
     let mut command = node(&web);
     command.args(["--test-reporter=tap", "tests/all.mjs"]).env("GONIO_PROGRAM", &program);

@@ -14,6 +14,7 @@ mod sizes;
 use crate::process;
 use crate::root;
 use crate::setup;
+use crate::target::target_folder;
 use sizes::Sizes;
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
@@ -49,11 +50,6 @@ pub fn run(words: &[&str]) -> ExitCode {
             ExitCode::from(2)
         }
     }
-}
-
-/// Cargo's target folder.
-pub fn target_folder(root: &Path) -> PathBuf {
-    std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), PathBuf::from)
 }
 
 /// Builds the page into `dist`. `say` receives each step before it begins.

@@ -261,9 +261,8 @@ fn window_checks(p: &Programs) -> Result<(), String> {
         let rect = |index: usize| check["rect"][index].as_f64().unwrap_or_default();
         (rect(axis) + rect(axis + 2) / 2.0).to_string()
     };
-    let ids = p.wine.xdotool(&["search", "--onlyvisible", "--name", "^gonio$"])?;
-    let id = ids.lines().next().unwrap_or_default();
-    p.wine.xdotool(&["mousemove", "--window", id, &middle(0), &middle(1), "click", "1"])?;
+    let id = shown_window(p)?;
+    p.wine.xdotool(&["mousemove", "--window", &id, &middle(0), &middle(1), "click", "1"])?;
     let state = window.wait("the verdict", |state| state["exercise"]["verdict"].is_object())?;
     let verdict = &state["exercise"]["verdict"];
     let named = verdict["mistakes"].as_array().is_some_and(|all| all.iter().any(|id| id == "diffuse-missing"));
@@ -312,6 +311,21 @@ impl Drop for Window {
     fn drop(&mut self) {
         let _ = self.program.kill();
         let _ = self.program.wait();
+    }
+}
+
+/// The X server's number of the window, once it shows it: gonio may have drawn, and said so, before.
+fn shown_window(p: &Programs) -> Result<String, String> {
+    let start = Instant::now();
+    loop {
+        // It fails while no window matches.
+        let found = p.wine.xdotool(&["search", "--onlyvisible", "--name", "^gonio$"]);
+        match found.map(|ids| ids.lines().next().map(str::to_owned)) {
+            Ok(Some(id)) => return Ok(id),
+            Err(error) if start.elapsed() > PATIENCE => return Err(format!("the window is not shown: {error}")),
+            Ok(None) if start.elapsed() > PATIENCE => return Err("the window is not shown".to_owned()),
+            _ => std::thread::sleep(Duration::from_millis(100)),
+        }
     }
 }
 

@@ -13,7 +13,7 @@ mod wine;
 use crate::cases::Cases;
 use crate::fixtures;
 use crate::report::Findings;
-use crate::web::target_folder;
+use crate::target::{debug_program, target_folder};
 use crate::{process, setup};
 use std::path::{Path, PathBuf};
 use wine::Wine;
@@ -52,7 +52,7 @@ fn build(root: &Path) -> Result<PathBuf, String> {
 
 /// Uses a program for Windows, and compares it with the one for this machine that the workspace's tests have built.
 fn try_program(root: &Path, windows: &Path) -> Result<Findings, String> {
-    let native = target_folder(root).join("debug/gonio");
+    let native = debug_program(root);
     if !native.is_file() {
         return Err(format!("{} is missing; `cargo build` makes it", native.display()));
     }
