@@ -1,4 +1,4 @@
-// PNG files as chunks (W3C, PNG 3, 2023): what writes them, in the page's build and in its tests.
+// Reads and writes the chunks of PNG files (W3C, PNG 3, 2023), for the page's build and its tests.
 
 import { deflateSync, inflateSync } from "node:zlib";
 

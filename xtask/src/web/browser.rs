@@ -9,8 +9,8 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::Duration;
 
-/// How long all tests of the page may take: several times as long as they need. CI would otherwise wait for one that hangs until
-/// its own limit, and report nothing.
+/// How long all tests of the page may take where nothing else runs. CI would otherwise wait for one that hangs until its own limit,
+/// and report nothing.
 const LIMIT: Duration = Duration::from_secs(25 * 60);
 
 /// Builds the page. Also fails if a first visit would load too much.

@@ -318,14 +318,15 @@ impl Drop for Window {
 fn shown_window(p: &Programs) -> Result<String, String> {
     let start = Instant::now();
     loop {
-        // It fails while no window matches.
-        let found = p.wine.xdotool(&["search", "--onlyvisible", "--name", "^gonio$"]);
-        match found.map(|ids| ids.lines().next().map(str::to_owned)) {
-            Ok(Some(id)) => return Ok(id),
-            Err(error) if start.elapsed() > PATIENCE => return Err(format!("the window is not shown: {error}")),
-            Ok(None) if start.elapsed() > PATIENCE => return Err("the window is not shown".to_owned()),
-            _ => std::thread::sleep(Duration::from_millis(100)),
+        // xdotool fails while no window matches.
+        let ids = p.wine.xdotool(&["search", "--onlyvisible", "--name", "^gonio$"]);
+        if let Some(id) = ids.as_ref().ok().and_then(|ids| ids.lines().next()) {
+            return Ok(id.to_owned());
         }
+        if start.elapsed() > PATIENCE {
+            return Err(format!("the window is not shown; xdotool: {ids:?}"));
+        }
+        std::thread::sleep(Duration::from_millis(100));
     }
 }
 
