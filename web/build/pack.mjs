@@ -9,7 +9,8 @@ import { createHash } from "node:crypto";
 import { mkdir, readFile, readdir, rm, writeFile } from "node:fs/promises";
 import { dirname, extname, join, relative } from "node:path";
 import { fileURLToPath } from "node:url";
-import { brotliCompressSync, constants, gzipSync } from "node:zlib";
+import { promisify } from "node:util";
+import { brotliCompress, constants, gzip } from "node:zlib";
 import { build, transform } from "esbuild";
 import { stored } from "./chunks.mjs";
 
@@ -163,24 +164,26 @@ await rm(dist, { recursive: true, force: true });
 const sizes = [];
 // The page's own file last: with it, the page is whole.
 files.sort((a, b) => (a.name === "index.html") - (b.name === "index.html"));
-for (const { name, bytes, when } of files) {
+/** Every file's bytes, compressed for the server; with the threads of Node's pool, for brotli takes seconds for a module. */
+const compressed = await Promise.all(files.map(({ bytes }) => Promise.all([
+  promisify(brotliCompress)(bytes, {
+    params: {
+      [constants.BROTLI_PARAM_QUALITY]: 11,
+      [constants.BROTLI_PARAM_LGWIN]: 24,
+      [constants.BROTLI_PARAM_SIZE_HINT]: bytes.length,
+    },
+  }),
+  promisify(gzip)(bytes, { level: 9 }),
+])));
+for (const [index, { name, bytes, when }] of files.entries()) {
   const path = join(dist, name);
   await mkdir(dirname(path), { recursive: true });
-  const [brotli, gzip] = [
-    brotliCompressSync(bytes, {
-      params: {
-        [constants.BROTLI_PARAM_QUALITY]: 11,
-        [constants.BROTLI_PARAM_LGWIN]: 24,
-        [constants.BROTLI_PARAM_SIZE_HINT]: bytes.length,
-      },
-    }),
-    gzipSync(bytes, { level: 9 }),
-  ];
-  if (brotli.length < bytes.length) await writeFile(`${path}.br`, brotli);
-  if (gzip.length < bytes.length) await writeFile(`${path}.gz`, gzip);
+  const [byBrotli, byGzip] = compressed[index];
+  if (byBrotli.length < bytes.length) await writeFile(`${path}.br`, byBrotli);
+  if (byGzip.length < bytes.length) await writeFile(`${path}.gz`, byGzip);
   await writeFile(path, bytes);
-  const least = (compressed) => Math.min(compressed.length, bytes.length);
-  sizes.push({ name, bytes: bytes.length, gzip: least(gzip), brotli: least(brotli), when });
+  const least = (result) => Math.min(result.length, bytes.length);
+  sizes.push({ name, bytes: bytes.length, gzip: least(byGzip), brotli: least(byBrotli), when });
 }
 
 // A file that is there and not meant to be would be served, and embedded.

@@ -1,8 +1,8 @@
-// The application in the page: the scene, its samples, its graphics taken away and given back.
+// The application in the page: the scene, its graphics taken away and given back.
 
 import assert from "node:assert/strict";
 import { assertSame, colors } from "./support/png.mjs";
-import { fetched, poll, settled, suite } from "./support/lab.mjs";
+import { poll, settled, suite } from "./support/lab.mjs";
 
 const { test } = suite();
 
@@ -34,28 +34,6 @@ test("it draws when something changes, and only then", async (lab) => {
   await lab.page.mouse.up();
   const after = await lab.until((state) => state.frame.pictures > before.frame.pictures);
   assert.notDeepEqual(after.scene.camera, before.scene.camera);
-});
-
-test("every sample opens", async (lab) => {
-  await lab.until(settled);
-  await lab.click("samples");
-  const ids = (await lab.until((state) => state.widgets.some((widget) => widget.id.startsWith("sample-")))).widgets
-    .map((widget) => widget.id).filter((id) => id.startsWith("sample-"));
-  assert.ok(ids.length >= 10, ids.join(" "));
-  await lab.page.keyboard.press("Escape");
-  await fetched(lab);
-  for (const id of ids) {
-    const shut = (state) => !state.widgets.some((widget) => widget.id === id);
-    await lab.until(shut);
-    await lab.click("samples");
-    await lab.until((state) => !shut(state));
-    await lab.click(id);
-    const name = id.replace("sample-", "");
-    const state = await lab.until((state) => state.title === name && settled(state));
-    assert.equal(state.error, null, `${name}: ${state.error}`);
-    assert.deepEqual(state.messages.filter((message) => message.severity !== "note"), [], name);
-    assert.ok(state.triangles > 0, name);
-  }
 });
 
 test("graphics that are taken away and given back bring the same picture", async (lab) => {

@@ -1,11 +1,33 @@
 // Samples come over the network after the first picture; who opens one before waits for it.
 
 import assert from "node:assert/strict";
-import { poll, settled, suite } from "./support/lab.mjs";
+import { fetched, poll, settled, suite } from "./support/lab.mjs";
 
 const { test } = suite();
 
 const options = { viewport: { width: 740, height: 560 } };
+
+test("every sample opens", async (lab) => {
+  await lab.until(settled);
+  await lab.click("samples");
+  const ids = (await lab.until((state) => state.widgets.some((widget) => widget.id.startsWith("sample-")))).widgets
+    .map((widget) => widget.id).filter((id) => id.startsWith("sample-"));
+  assert.ok(ids.length >= 10, ids.join(" "));
+  await lab.page.keyboard.press("Escape");
+  await fetched(lab);
+  for (const id of ids) {
+    const shut = (state) => !state.widgets.some((widget) => widget.id === id);
+    await lab.until(shut);
+    await lab.click("samples");
+    await lab.until((state) => !shut(state));
+    await lab.click(id);
+    const name = id.replace("sample-", "");
+    const state = await lab.until((state) => state.title === name && settled(state));
+    assert.equal(state.error, null, `${name}: ${state.error}`);
+    assert.deepEqual(state.messages.filter((message) => message.severity !== "note"), [], name);
+    assert.ok(state.triangles > 0, name);
+  }
+}, options);
 
 /** The sphere itself is made in the page; its materials are a file. */
 const SCENE = { name: "ball.toml", text: '[[object]]\nmodel = "builtin:sphere-128"\n' };

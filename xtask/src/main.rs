@@ -23,11 +23,11 @@ use std::process::ExitCode;
 
 const HELP: &str = "\
 cargo xtask test             run everything that CI runs; needs only rustup and a C compiler to start
-cargo xtask test --all       also other platforms, Windows under Wine, the Python package, the release archive, the crates to publish,
-                             licences
+cargo xtask test --all       also the rest of the page's tests, the checker's score, other platforms, Windows under Wine, the Python
+                             package, the release archive, the crates to publish, licences
 cargo xtask test --fast      without the web page, and without installing anything
 cargo xtask test --web [--dev]
-                             build the web page and test it in headless Chromium
+                             build the web page and run all of its tests in headless Chromium
 cargo xtask test --only windows|archive|crates|python
                              one of the steps that --all adds
 cargo xtask house            figures about the code base, and the rules that no compiler enforces; takes a second

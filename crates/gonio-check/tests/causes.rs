@@ -434,7 +434,7 @@ fn a_wrong_sign_in_the_formula_of_the_reflected_direction_is_one_mistake() {
     let diagnosis = of_exercise("ex06", IN_WORLD_SPACE, &by_formula("2.0 * dot(a, l) * a + l"));
     assert_eq!(lines(&diagnosis), [8]);
     let Found::Causes(groups) = &diagnosis.found else { panic!("{diagnosis:?}") };
-    assert_eq!(groups[0][0].should, "should be the reflected or refracted direction");
+    assert_eq!(groups[0][0].should, "should be the direction of the reflected or refracted light");
 }
 
 /// In the first scene of a sky, the camera stands at the origin and looks ahead: V is the identity.

@@ -1,17 +1,21 @@
-//! Checks the submissions of crates/gonio-check/corpus: the mistake that is named, and its line in the source.
+//! Checks the submissions of crates/gonio-check/corpus: the mistake that is named, its line in the source, and that no part of
+//! a verdict contradicts another.
 //!
 //! Tolerances: no false alarm at all; 97 % of single mistakes and 85 % of pairs are named, 86 % of the named ones at
 //! their line. The project set them.
 #![allow(clippy::unwrap_used)]
 
+mod contradictions;
 mod submissions;
 
+use contradictions::contradictions;
 use gonio_check::ShaderChecker;
+use gonio_check::comparison::TASKS;
 use gonio_check::dataflow::Shader;
 use gonio_check::roles::NamesFile;
 use gonio_check::source::Analysis;
 use gonio_check::submission;
-use gonio_check::verdict::{Outcome, Verdict};
+use gonio_check::verdict::{Outcome, PropertyState, Verdict};
 use gonio_fixtures::selected;
 use gonio_gl::HeadlessContext;
 use gonio_glsl::Stage;
@@ -37,7 +41,16 @@ fn right_submissions_are_never_wrong() {
     for submission in selected(all, |submission| &submission.name) {
         let verdict = submission.check(&mut checker);
         assert_eq!(verdict.verdict, Outcome::Correct, "{}: {}", submission.name, verdict.summary);
+        for property in &verdict.properties {
+            assert_ne!(property.state, PropertyState::Wrong, "{}: {property:?}", submission.name);
+        }
+        assert_eq!(contradictions(&verdict), [""; 0], "{}", submission.name);
     }
+}
+
+/// Whether the exercise lights a model, so that its light has terms.
+fn is_lit(submission: &Submission) -> bool {
+    TASKS.iter().any(|task| task.exercise == submission.exercise && task.model.is_lit())
 }
 
 /// The places of the expected mistakes, as `file:line`.
@@ -60,7 +73,7 @@ fn is_named(submission: &Submission, verdict: &Verdict) -> bool {
 fn mistakes_are_named() {
     let (_context, mut checker) = checker();
     let (mut single, mut pairs, mut called, mut lines) = ((0, 0), (0, 0), (0, 0), (0, 0));
-    let mut missed = Vec::new();
+    let (mut missed, mut contradicted) = (Vec::new(), Vec::new());
     let all = submissions("wrong");
     let compiling: Vec<&Submission> = all.iter().filter(|s| s.expected.get("verdict").is_none()).collect();
     let pairs_found = compiling.iter().filter(|s| list(s, "mistakes").len() > 1).count();
@@ -72,6 +85,10 @@ fn mistakes_are_named() {
         called = (called.0 + usize::from(verdict.verdict == expected), called.1 + 1);
         if does_not_compile {
             continue;
+        }
+        if is_lit(&submission) {
+            contradicted
+                .extend(contradictions(&verdict).into_iter().map(|said| format!("{}: {said}", submission.name)));
         }
         let count = if list(&submission, "mistakes").len() > 1 { &mut pairs } else { &mut single };
         let named = is_named(&submission, &verdict);
@@ -90,6 +107,7 @@ fn mistakes_are_named() {
             missed.push(format!("{}: {:?} {found:?}", submission.name, verdict.verdict));
         }
     }
+    assert!(contradicted.is_empty(), "{}", contradicted.join("\n"));
     let reaches = |least: f64, (right, all): (usize, usize)| right as f64 >= least * all as f64;
     let report =
         format!("single {single:?}, pairs {pairs:?}, verdicts {called:?}, lines {lines:?}\n{}", missed.join("\n"));

@@ -8,7 +8,9 @@ mod windows;
 use crate::checks::{dependencies, lints, source, text, translations, workflows};
 use crate::dist::trial;
 use crate::report::{Findings, Report};
-use crate::web::{Build, browser};
+use crate::web::Build;
+use crate::web::browser::{self, Tests};
+use crate::web::sizes::Sizes;
 use crate::{editors, house as figures, licenses, process, root, score, setup};
 use std::path::Path;
 use std::process::ExitCode;
@@ -16,7 +18,7 @@ use std::process::ExitCode;
 /// The extent of a test run.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Extent {
-    /// Also what takes too long for CI: the checker's score, other platforms, Windows under Wine, the Python package, the archive that
+    /// Also what takes too long for CI: more tests of the page, the checker's score, other platforms, Windows under Wine, the Python package, the archive that
     /// users get, the crates to publish, and the dependencies against `deny.toml`.
     All,
     /// Everything that CI runs.
@@ -83,7 +85,7 @@ pub fn run(extent: Extent) -> ExitCode {
         report.step("toolchain", || setup::toolchain(&root, &[setup::WASM]));
     }
     match extent {
-        Extent::Web(build) => page(&mut report, &root, build, false),
+        Extent::Web(build) => page(&mut report, &root, build, Tests::All, Built::default()),
         Extent::House => house(&mut report, &root),
         Extent::Only(extra) => extra.run(&mut report, &root),
         Extent::Fast => {
@@ -93,7 +95,8 @@ pub fn run(extent: Extent) -> ExitCode {
         Extent::All | Extent::Continuous => {
             house(&mut report, &root);
             let built = cargo_steps(&mut report, &root, extent);
-            page(&mut report, &root, Build::Shipped, built);
+            let tests = if extent == Extent::All { Tests::All } else { Tests::Continuous };
+            page(&mut report, &root, Build::Shipped, tests, built);
             if extent == Extent::All {
                 Extra::Archive.run(&mut report, &root);
             }
@@ -103,17 +106,25 @@ pub fn run(extent: Extent) -> ExitCode {
     if report.failed > 0 { ExitCode::from(1) } else { ExitCode::SUCCESS }
 }
 
-/// Builds the page and tests it in a browser. `program_is_built`: see `browser::test`.
-fn page(report: &mut Report, root: &Path, build: Build, program_is_built: bool) {
-    if report.step("web page, build", || browser::build(root, build)) {
-        report.step("web page, in Chromium", || browser::test(root, program_is_built));
+/// What the cargo steps have built.
+#[derive(Default)]
+struct Built {
+    /// The tests, and with them every program.
+    tests: bool,
+    /// The page, and the sizes of its files.
+    page: Option<Sizes>,
+}
+
+/// Builds the page, unless it was built, and tests it in a browser.
+fn page(report: &mut Report, root: &Path, build: Build, tests: Tests, built: Built) {
+    if report.step("web page, build", || browser::build(root, build, built.page)) {
+        report.step("web page, in Chromium", || browser::test(root, tests, built.tests));
     } else {
         report.step("web page, in Chromium", || Findings::fail("not run, because the page was not built"));
     }
 }
 
-/// The cargo steps. Returns whether the tests, and with them every program, were built.
-fn cargo_steps(report: &mut Report, root: &Path, extent: Extent) -> bool {
+fn cargo_steps(report: &mut Report, root: &Path, extent: Extent) -> Built {
     report.step("rustfmt", || cargo_check(root, &["fmt", "--all", "--check"], &[]));
     report.step("clippy", || {
         let arguments = ["clippy", "--locked", "--workspace", "--all-targets", "--", "-D", "warnings"];
@@ -150,10 +161,7 @@ fn cargo_steps(report: &mut Report, root: &Path, extent: Extent) -> bool {
         Extra::Python.run(report, root);
         Extra::Crates.run(report, root);
     }
-    if let Some(page_build) = page_build {
-        page_build.wait();
-    }
-    built
+    Built { tests: built, page: page_build.and_then(|page_build| page_build.wait(root)) }
 }
 
 /// The rules that no compiler enforces, and figures about the code base.

@@ -1,7 +1,7 @@
 //! Tests the page in a browser with Node's test runner.
 
-use super::sizes::{MOST_BYTES, MOST_MODULE_BYTES, MOST_START_BYTES};
-use super::{Build, build_page, node};
+use super::sizes::{MOST_BYTES, MOST_MODULE_BYTES, MOST_START_BYTES, Sizes};
+use super::{Build, build_page, node, sizes_file};
 use crate::process;
 use crate::report::Findings;
 use crate::target::{build_program, debug_program};
@@ -9,45 +9,71 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::Duration;
 
-/// How long all tests of the page may take where nothing else runs. CI would otherwise wait for one that hangs until its own limit,
-/// and report nothing.
-const LIMIT: Duration = Duration::from_secs(25 * 60);
+/// The tests of the page to run.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Tests {
+    /// Those that CI has the time for.
+    Continuous,
+    /// Every one.
+    All,
+}
 
-/// Builds the page. Also fails if a first visit would load too much.
-pub fn build(root: &Path, build: Build) -> Findings {
-    match build_page(root, build, &mut |_| {}) {
-        Ok(sizes) => {
-            let bytes = sizes.first_visit();
-            let (module, start) = (sizes.first_module(), sizes.start());
-            let most = [MOST_BYTES, MOST_MODULE_BYTES, MOST_START_BYTES].map(|most| most / 1000);
-            let remark = format!(
-                "{} kB (brotli) until the first picture, at most {}; {} kB of them draw it, at most {}; {} kB until the \
-                 application runs, at most {}",
-                bytes.div_ceil(1000),
-                most[0],
-                module.div_ceil(1000),
-                most[1],
-                start.div_ceil(1000),
-                most[2]
-            );
-            let is_small = bytes <= MOST_BYTES && module <= MOST_MODULE_BYTES && start <= MOST_START_BYTES;
-            // The development build is never small.
-            if build == Build::Shipped && !is_small {
-                let advice = "web/build/weigh.mjs shows where the bytes of a module go";
-                return Findings::fail(format!("a first visit loads too much; {advice}\n{}", sizes.table()))
-                    .remarking(remark);
-            }
-            Findings::pass().remarking(remark)
+impl Tests {
+    /// The file in `web/tests` that imports them.
+    fn file(self) -> &'static str {
+        match self {
+            Tests::Continuous => "continuous.mjs",
+            Tests::All => "all.mjs",
         }
+    }
+
+    /// How long they may take where nothing else runs. CI would otherwise wait for one that hangs until its own limit, and report
+    /// nothing.
+    fn limit(self) -> Duration {
+        let minutes = match self {
+            Tests::Continuous => 25,
+            Tests::All => 45,
+        };
+        Duration::from_secs(minutes * 60)
+    }
+}
+
+/// Builds the page, unless it was `built` in the background. Also fails if a first visit would load too much.
+pub fn build(root: &Path, build: Build, built: Option<Sizes>) -> Findings {
+    match built.map_or_else(|| build_page(root, build, &mut |_| {}), Ok) {
+        Ok(sizes) => weighed(&sizes, build),
         Err(error) => Findings::fail(error),
     }
+}
+
+fn weighed(sizes: &Sizes, build: Build) -> Findings {
+    let bytes = sizes.first_visit();
+    let (module, start) = (sizes.first_module(), sizes.start());
+    let most = [MOST_BYTES, MOST_MODULE_BYTES, MOST_START_BYTES].map(|most| most / 1000);
+    let remark = format!(
+        "{} kB (brotli) until the first picture, at most {}; {} kB of them draw it, at most {}; {} kB until the \
+         application runs, at most {}",
+        bytes.div_ceil(1000),
+        most[0],
+        module.div_ceil(1000),
+        most[1],
+        start.div_ceil(1000),
+        most[2]
+    );
+    let is_small = bytes <= MOST_BYTES && module <= MOST_MODULE_BYTES && start <= MOST_START_BYTES;
+    // The development build is never small.
+    if build == Build::Shipped && !is_small {
+        let advice = "web/build/weigh.mjs shows where the bytes of a module go";
+        return Findings::fail(format!("a first visit loads too much; {advice}\n{}", sizes.table())).remarking(remark);
+    }
+    Findings::pass().remarking(remark)
 }
 
 /// A build of the page that runs while the tests do.
 pub struct BackgroundBuild(Option<std::process::Child>);
 
 /// Starts building the page with the lowest priority: tests leave a core idle for part of the time, and link-time optimisation
-/// of the module uses one. `build` then finds everything built. A failure here is not reported, because `build` repeats it.
+/// of the module uses one. A failure here is not reported, because `build` repeats it.
 pub fn build_in_background() -> BackgroundBuild {
     let program = std::env::current_exe().ok().filter(|_| cfg!(unix));
     let child = program.and_then(|program| {
@@ -59,18 +85,17 @@ pub fn build_in_background() -> BackgroundBuild {
 }
 
 impl BackgroundBuild {
-    /// Waits until the build has ended.
-    pub fn wait(self) {
-        if let Some(mut child) = self.0 {
-            // Its exit code does not matter: `build` reports failures.
-            let _ = child.wait();
-        }
+    /// Waits until the build has ended. Returns nothing if it failed.
+    pub fn wait(self, root: &Path) -> Option<Sizes> {
+        let status = self.0?.wait().ok()?;
+        let written = status.success().then(|| std::fs::read_to_string(sizes_file(root)).ok())??;
+        Sizes::read(&written).ok()
     }
 }
 
-/// Runs the tests in `web/tests` on the page in `dist`, served by gonio itself. `program_is_built`: the workspace's tests
+/// Runs tests in `web/tests` on the page in `dist`, served by gonio itself. `program_is_built`: the workspace's tests
 /// were built, and the program with them.
-pub fn test(root: &Path, program_is_built: bool) -> Findings {
+pub fn test(root: &Path, tests: Tests, program_is_built: bool) -> Findings {
     let program = if program_is_built { Ok(debug_program(root)) } else { build_program(root) };
     let program = match program {
         Ok(program) => program,
@@ -78,8 +103,8 @@ pub fn test(root: &Path, program_is_built: bool) -> Findings {
     };
     let web = root.join("web");
     let mut command = node(&web);
-    command.args(["--test-reporter=tap", "tests/all.mjs"]).env("GONIO_PROGRAM", &program);
-    let outcome = process::run_within(&mut command, LIMIT);
+    command.arg("--test-reporter=tap").arg(format!("tests/{}", tests.file())).env("GONIO_PROGRAM", &program);
+    let outcome = process::run_within(&mut command, tests.limit());
     findings(outcome.success, &outcome.text)
 }
 
@@ -117,6 +142,25 @@ mod tests {
         let found = findings(false, &format!("not ok 2 - closes\n{text}"));
         assert_eq!((found.passed, found.failed), (1, 1));
         assert!(found.details.contains("not ok 2 - closes") && !found.details.contains("ok 1 - opens"));
+    }
+
+    #[test]
+    fn every_file_of_tests_is_imported_once() {
+        let folder = crate::root().join("web/tests");
+        let imported: Vec<String> = [Tests::All, Tests::Continuous]
+            .into_iter()
+            .flat_map(|tests| {
+                let text = std::fs::read_to_string(folder.join(tests.file())).expect("a file of web/tests");
+                let names = text.lines().filter_map(|line| line.strip_prefix("import \"./")?.strip_suffix("\";"));
+                names.map(str::to_owned).collect::<Vec<_>>()
+            })
+            .collect();
+        assert!(imported.iter().any(|name| name == Tests::Continuous.file()), "{imported:?}");
+        for entry in std::fs::read_dir(&folder).expect("web/tests") {
+            let name = entry.expect("an entry").file_name().into_string().expect("a name in Unicode");
+            let times = imported.iter().filter(|known| **known == name).count();
+            assert_eq!(times, usize::from(name.ends_with(".test.mjs") || name == Tests::Continuous.file()), "{name}");
+        }
     }
 
     #[test]

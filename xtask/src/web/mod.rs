@@ -9,7 +9,7 @@
 //! ```
 
 pub mod browser;
-mod sizes;
+pub mod sizes;
 
 use crate::process;
 use crate::root;
@@ -96,10 +96,16 @@ pub fn build_page(root: &Path, build: Build, say: &mut dyn FnMut(&str)) -> Resul
     say("bundling the page");
     let packed = process::stdout_of(node(&web).arg("build/pack.mjs").arg(&stage).arg(root.join("dist")))?;
     let sizes = Sizes::read(&packed)?;
+    write(&sizes_file(root), packed.as_bytes())?;
     // The build script of gonio watches this file's folder: see crates/gonio/build.rs.
     let mark = web.join("page/.built");
     std::fs::write(&mark, &sizes.version).map_err(|e| format!("cannot write {}: {e}", mark.display()))?;
     Ok(sizes)
+}
+
+/// Where the sizes of the page that was built last are, as `Sizes::read` takes them.
+fn sizes_file(root: &Path) -> PathBuf {
+    target_folder(root).join("web-page/sizes.json")
 }
 
 /// Builds our tool that makes JavaScript bindings; returns its path.
