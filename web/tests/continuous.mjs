@@ -1,4 +1,4 @@
-// The tests of the page that CI runs, in one process: they share a browser. `all.mjs` has the others too.
+// The tests of the page that CI runs, in one process: they share a browser. `all.mjs` runs the others too.
 
 import "./opening.test.mjs";
 import "./first.test.mjs";

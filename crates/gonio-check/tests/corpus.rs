@@ -37,15 +37,25 @@ fn checker() -> (HeadlessContext, ShaderChecker) {
 fn right_submissions_are_never_wrong() {
     let (_context, mut checker) = checker();
     let all = submissions("correct");
-    assert!(all.len() > 160, "{}", all.len());
+    let count = all.len();
+    assert!(count > 160, "{count}");
+    let (mut checked, mut properties) = (0, 0);
     for submission in selected(all, |submission| &submission.name) {
         let verdict = submission.check(&mut checker);
         assert_eq!(verdict.verdict, Outcome::Correct, "{}: {}", submission.name, verdict.summary);
         for property in &verdict.properties {
             assert_ne!(property.state, PropertyState::Wrong, "{}: {property:?}", submission.name);
         }
+        if is_lit(&submission) {
+            let right = verdict.properties.iter().filter(|property| property.state == PropertyState::Right).count();
+            assert!(right > 0, "{}: {:?}", submission.name, verdict.properties);
+            properties += right;
+        }
+        checked += 1;
         assert_eq!(contradictions(&verdict), [""; 0], "{}", submission.name);
     }
+    // Unless some cases were selected.
+    assert!(checked < count || properties > 150, "{properties}");
 }
 
 /// Whether the exercise lights a model, so that its light has terms.
@@ -77,6 +87,8 @@ fn mistakes_are_named() {
     let all = submissions("wrong");
     let compiling: Vec<&Submission> = all.iter().filter(|s| s.expected.get("verdict").is_none()).collect();
     let pairs_found = compiling.iter().filter(|s| list(s, "mistakes").len() > 1).count();
+    let lit = compiling.iter().filter(|submission| is_lit(submission)).count();
+    assert!(lit > 200, "{lit} of {}", compiling.len());
     assert!(pairs_found > 30 && compiling.len() - pairs_found > 310, "{pairs_found} pairs of {}", compiling.len());
     for submission in selected(all, |submission| &submission.name) {
         let verdict = submission.check(&mut checker);
@@ -87,8 +99,8 @@ fn mistakes_are_named() {
             continue;
         }
         if is_lit(&submission) {
-            contradicted
-                .extend(contradictions(&verdict).into_iter().map(|said| format!("{}: {said}", submission.name)));
+            let found = contradictions(&verdict);
+            contradicted.extend(found.into_iter().map(|said| format!("{}: {said}", submission.name)));
         }
         let count = if list(&submission, "mistakes").len() > 1 { &mut pairs } else { &mut single };
         let named = is_named(&submission, &verdict);

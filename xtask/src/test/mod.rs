@@ -9,8 +9,7 @@ use crate::checks::{dependencies, lints, source, text, translations, workflows};
 use crate::dist::trial;
 use crate::report::{Findings, Report};
 use crate::web::Build;
-use crate::web::browser::{self, Tests};
-use crate::web::sizes::Sizes;
+use crate::web::browser::{self, BackgroundBuild, Tests};
 use crate::{editors, house as figures, licenses, process, root, score, setup};
 use std::path::Path;
 use std::process::ExitCode;
@@ -18,8 +17,8 @@ use std::process::ExitCode;
 /// The extent of a test run.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Extent {
-    /// Also what takes too long for CI: more tests of the page, the checker's score, other platforms, Windows under Wine, the Python package, the archive that
-    /// users get, the crates to publish, and the dependencies against `deny.toml`.
+    /// Also what takes too long for CI: more tests of the page, the checker's score, other platforms, Windows under Wine, the Python
+    /// package, the archive that users get, the crates to publish, and the dependencies against `deny.toml`.
     All,
     /// Everything that CI runs.
     Continuous,
@@ -109,13 +108,13 @@ pub fn run(extent: Extent) -> ExitCode {
 /// What the cargo steps have built.
 #[derive(Default)]
 struct Built {
-    /// The tests, and with them every program.
+    /// Whether the tests, and with them every program, were built.
     tests: bool,
-    /// The page, and the sizes of its files.
-    page: Option<Sizes>,
+    /// The page's build, which may go on.
+    page: Option<BackgroundBuild>,
 }
 
-/// Builds the page, unless it was built, and tests it in a browser.
+/// Builds the page and tests it in a browser.
 fn page(report: &mut Report, root: &Path, build: Build, tests: Tests, built: Built) {
     if report.step("web page, build", || browser::build(root, build, built.page)) {
         report.step("web page, in Chromium", || browser::test(root, tests, built.tests));
@@ -124,6 +123,7 @@ fn page(report: &mut Report, root: &Path, build: Build, tests: Tests, built: Bui
     }
 }
 
+/// The cargo steps. The page is built beside them, once the tests are.
 fn cargo_steps(report: &mut Report, root: &Path, extent: Extent) -> Built {
     report.step("rustfmt", || cargo_check(root, &["fmt", "--all", "--check"], &[]));
     report.step("clippy", || {
@@ -136,7 +136,7 @@ fn cargo_steps(report: &mut Report, root: &Path, extent: Extent) -> Built {
     let built = report.step("build of the tests", || {
         cargo_check(root, &["test", "--locked", "--workspace", "--all-targets", "--no-run"], &[])
     });
-    let page_build = (built && extent != Extent::Fast).then(browser::build_in_background);
+    let page = (built && extent != Extent::Fast).then(browser::build_in_background);
     if built {
         report.step("tests", || cargo_test(root));
         // The tests of the corpus judge the same submissions, one by one.
@@ -161,7 +161,7 @@ fn cargo_steps(report: &mut Report, root: &Path, extent: Extent) -> Built {
         Extra::Python.run(report, root);
         Extra::Crates.run(report, root);
     }
-    Built { tests: built, page: page_build.and_then(|page_build| page_build.wait(root)) }
+    Built { tests: built, page }
 }
 
 /// The rules that no compiler enforces, and figures about the code base.

@@ -38,8 +38,9 @@ impl Tests {
     }
 }
 
-/// Builds the page, unless it was `built` in the background. Also fails if a first visit would load too much.
-pub fn build(root: &Path, build: Build, built: Option<Sizes>) -> Findings {
+/// Builds the page, or waits for its build in the background. Also fails if a first visit would load too much.
+pub fn build(root: &Path, build: Build, background: Option<BackgroundBuild>) -> Findings {
+    let built = background.and_then(|background| background.wait(root));
     match built.map_or_else(|| build_page(root, build, &mut |_| {}), Ok) {
         Ok(sizes) => weighed(&sizes, build),
         Err(error) => Findings::fail(error),
@@ -86,7 +87,7 @@ pub fn build_in_background() -> BackgroundBuild {
 
 impl BackgroundBuild {
     /// Waits until the build has ended. Returns nothing if it failed.
-    pub fn wait(self, root: &Path) -> Option<Sizes> {
+    fn wait(self, root: &Path) -> Option<Sizes> {
         let status = self.0?.wait().ok()?;
         let written = status.success().then(|| std::fs::read_to_string(sizes_file(root)).ok())??;
         Sizes::read(&written).ok()

@@ -9,7 +9,7 @@
 //! ```
 
 pub mod browser;
-pub mod sizes;
+mod sizes;
 
 use crate::process;
 use crate::root;
@@ -99,7 +99,7 @@ pub fn build_page(root: &Path, build: Build, say: &mut dyn FnMut(&str)) -> Resul
     write(&sizes_file(root), packed.as_bytes())?;
     // The build script of gonio watches this file's folder: see crates/gonio/build.rs.
     let mark = web.join("page/.built");
-    std::fs::write(&mark, &sizes.version).map_err(|e| format!("cannot write {}: {e}", mark.display()))?;
+    write(&mark, sizes.version.as_bytes())?;
     Ok(sizes)
 }
 
@@ -175,5 +175,5 @@ pub fn install_packages(web: &Path, say: &mut dyn FnMut(&str)) -> Result<(), Str
     say("installing Node packages (npm ci)");
     // None of the packages needs its install script.
     checked(Command::new("npm").current_dir(web).args(["ci", "--ignore-scripts", "--no-fund", "--no-audit"]))?;
-    std::fs::write(&stamp, locked).map_err(|e| format!("cannot write {}: {e}", stamp.display()))
+    write(&stamp, &locked)
 }
