@@ -7,6 +7,7 @@ use crate::machine::Machine;
 use crate::source::{ExprId, StatementId};
 use crate::texture::{NoTexture, TextureSource};
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 /// The values of an expression, input or output at points: bits of floats, of integers, or 0 and 1 for booleans. The
 /// components are those of OpenGL: matrices by columns, arrays element by element.
@@ -56,6 +57,18 @@ impl PointValues {
     #[must_use]
     pub fn float(&self, component: usize, point: usize) -> f32 {
         self.component(component, point).map_or(0.0, f32::from_bits)
+    }
+
+    /// Returns a component at each of some points as a float; 0 where there is none.
+    pub fn floats_at(&self, component: usize, points: Range<usize>) -> impl Iterator<Item = f32> {
+        let (same, each): (u32, &[u32]) = match self {
+            Self::Same(components) => (components.get(component).copied().unwrap_or(0), &[]),
+            Self::Each { components, .. } => {
+                let all = components.get(component).map_or(&[][..], Vec::as_slice);
+                (0, &all[points.start.min(all.len())..points.end.min(all.len())])
+            }
+        };
+        (0..points.len()).map(move |at| f32::from_bits(each.get(at).copied().unwrap_or(same)))
     }
 
     /// Whether a point has a value.

@@ -2,7 +2,7 @@
 
 use super::answer::LightingMethod;
 use super::budget::Budget;
-use super::edit::{Editor, TextFix, Trial};
+use super::edit::{self, Editor, TextFix};
 use super::explain::{Explainer, MOST_WHOLE, Singly};
 use super::explanation::is_absent;
 use super::explanation::{Explanation, Strengths};
@@ -20,6 +20,7 @@ use super::seeing::see;
 use super::shown::Shown;
 use super::solutions::ModelSolutions;
 use super::target::{Highlight, RightPicture, Seen};
+use super::trial::{FewPoints, Trials};
 use crate::comparison::{Lights, Parameterisation, Second, Task};
 use crate::mistakes::{Hypothesis, ModelSolution};
 use crate::roles::NamesFile;
@@ -210,11 +211,15 @@ impl Diagnosing<'_> {
                 return Ok(Diagnosis { explanations, strengths, ..self.diagnosis(Found::Nothing, method) });
             }
         };
-        let few = |(scene, samples): &(TestScene, SceneSamples)| (scene.clone(), samples.few(SEARCHED_PLACES));
-        let scenes: Vec<(TestScene, SceneSamples)> = scenes.iter().map(few).collect();
+        let searched = |(scene, samples): &(TestScene, SceneSamples)| (scene.clone(), samples.few(SEARCHED_PLACES));
+        let scenes: Vec<(TestScene, SceneSamples)> = scenes.iter().map(searched).collect();
         let scenes = scenes.as_slice();
         let samples: Vec<SceneSamples> = scenes.iter().map(|(_, samples)| samples.clone()).collect();
         let runner = Runner::new(self.program, &samples);
+        let Some((first, of_first)) = scenes.first() else { return Err("no test scene".to_owned()) };
+        let few = FewPoints::new(of_first);
+        let few_scenes = [(first.clone(), few.samples[0].clone())];
+        let runner_at_few = Runner::new(self.program, &few.samples);
         // Strengths that are constants of the program are those of the explanation.
         let mut of_model = samples.clone();
         if let Some(explanation) = explanations.first() {
@@ -231,7 +236,7 @@ impl Diagnosing<'_> {
         let others = (0..all.len().min(MOST_METHODS)).map(|at| (at, Tried::All));
         // Each of two mistakes has a cause.
         let beside = explanations.first().map_or(0, |explanation| explanation.mistakes.len().saturating_sub(1));
-        let mut of_methods: Vec<(Model, RightPicture)> = Vec::new();
+        let mut of_methods: Vec<(Model, [RightPicture; 2])> = Vec::new();
         let mut best: Option<(Found, usize)> = None;
         for (at, tried) in known.chain(others) {
             // A known mistake that hides a choice of the method may be at its own place only with another method.
@@ -247,16 +252,19 @@ impl Diagnosing<'_> {
                     false => explaining.clone(),
                 };
                 let model = Model::new(self.solutions, method, space, &of_model, exponent, Mistakes::These(&wrong))?;
-                of_methods.push((model, self.right_picture(method, lights, scenes)?));
+                let targets = [scenes, &few_scenes].map(|scenes| self.right_picture(method, lights, scenes));
+                let [target, at_few] = targets;
+                of_methods.push((model, [target?, at_few?]));
             }
-            let (model, target) = &of_methods[at];
+            let (model, [target, target_at_few]) = &of_methods[at];
             // What is wrong with the other light is in none of these scenes.
             let is_right_here =
                 || see(&runner, &[], 0..samples.len()).is_some_and(|seen| target.agrees(&seen).is_some());
             if lights == Lights::First && is_right_here() {
                 break;
             }
-            let mut search = Search::new(Observer { runner: &runner, model }, target, &explanations, lights);
+            let trials = Trials { runner: &runner, target, at_few: (&few, &runner_at_few, target_at_few) };
+            let mut search = Search::new(Observer { runner: &runner, model }, trials, &explanations, lights);
             let found = search.run(tried);
             runs += search.runs();
             // Where no value is the mistake's own, the earliest is nearest to it.
@@ -271,7 +279,7 @@ impl Diagnosing<'_> {
         let is_rooted = best.as_ref().is_some_and(|(found, _)| found.is_rooted());
         // The mistakes of the catalogue are predicted in all scenes.
         if let (false, true, Lights::One) = (is_rooted, explanations.is_empty(), lights)
-            && let Some((model, target)) = of_methods.first()
+            && let Some((model, [target, target_at_few])) = of_methods.first()
         {
             let budget = Budget::beside();
             let explain = |seen: &Seen| {
@@ -285,7 +293,8 @@ impl Diagnosing<'_> {
                     explanations.iter().filter_map(|e| Some(e.mistakes.first()?.id.as_str())).collect();
                 Model::new(self.solutions, model.method, model.space, &of_model, exponent, Mistakes::These(&ids))
             };
-            let mut search = Search::new(Observer { runner: &runner, model }, target, &[], lights);
+            let trials = Trials { runner: &runner, target, at_few: (&few, &runner_at_few, target_at_few) };
+            let mut search = Search::new(Observer { runner: &runner, model }, trials, &[], lights);
             let found = search.beside_one(&explain, &in_model)?;
             runs += search.runs();
             if best.as_ref().is_none_or(|(known, _)| found.rank() < known.rank()) {
@@ -297,12 +306,12 @@ impl Diagnosing<'_> {
             let (method, strengths) = of_first.unwrap_or((usual, [None; 3]));
             return Ok(Diagnosis { runs, explanations, strengths, ..self.diagnosis(Found::Nothing, method) });
         };
-        let (model, target) = &of_methods[at];
+        let (model, [target, _]) = &of_methods[at];
         let mut fixes = Vec::new();
         if let Found::Causes(groups) = &found {
             let at = Observer { runner: &runner, model };
             let scopes = self.stages.map(|(parsed, checked)| Scopes::new(parsed, checked));
-            let trial = Trial { at, texts: self.texts, names: self.names };
+            let trial = edit::Trial { at, texts: self.texts, names: self.names };
             let tried = Editor::new(at, scopes, self.texts).fixes(groups);
             fixes = self.right_fixes(tried, &trial, target, (lights, scenes))?;
         }
@@ -317,7 +326,7 @@ impl Diagnosing<'_> {
     fn right_fixes(
         &self,
         tried: Vec<TextFix>,
-        trial: &Trial<'_>,
+        trial: &edit::Trial<'_>,
         target: &RightPicture,
         (lights, scenes): (Lights, &[(TestScene, SceneSamples)]),
     ) -> Result<Vec<TextFix>, String> {

@@ -14,6 +14,7 @@ use super::target::{Seen, is_in_place};
 use crate::comparison::{Lights, Parameterisation};
 use crate::mistakes::Hypothesis;
 use crate::testbench::TestScene;
+use gonio_threads::prelude::*;
 use std::cell::Cell;
 use std::sync::Arc;
 
@@ -318,7 +319,8 @@ impl Explainer<'_> {
                 // A picture that is dark at all these places resembles those of most mistakes.
                 left.sort_by(|a, b| a.0.total_cmp(&b.0));
                 let drawn = left.into_iter().take(MOST_LIKE_ONE).take_while(|_| self.budget.take_drawn());
-                found.extend(drawn.filter_map(|(_, (_, one))| candidate.explanation(seen, one, self.required)));
+                let drawn: Vec<&Hypothesis> = drawn.map(|(_, (_, one))| one).collect();
+                found.extend(self.explanations(candidate, seen, &drawn).into_iter().flatten());
                 sets.push((least[at], set.clone()));
             }
             if affordable < of_size.len() {
@@ -327,6 +329,12 @@ impl Explainer<'_> {
         }
         sets.sort_by(|a, b| a.0.total_cmp(&b.0));
         sets.into_iter().map(|(_, set)| set).collect()
+    }
+
+    /// The explanation by each of several hypotheses, if it draws what is seen; computed on all cores.
+    fn explanations(&self, candidate: &Candidate, seen: &Seen, all: &[&Hypothesis]) -> Vec<Option<Explanation>> {
+        let required = self.required;
+        all.par_iter().map(|one| candidate.explanation(seen, one, required)).collect()
     }
 
     /// Adds the pairs of mistakes that explain a picture.
@@ -367,9 +375,10 @@ impl Explainer<'_> {
             found.sort_by(|(_, (a, _)), (_, (b, _))| a.total_cmp(b));
             left = found.into_iter().map(|(pair, _)| pair).collect();
         }
-        for hypothesis in left.into_iter().take(self.whole_left.get()) {
-            self.whole_left.set(self.whole_left.get() - 1);
-            let Some(pair) = candidate.explanation(seen, hypothesis, self.required) else { continue };
+        left.truncate(self.whole_left.get());
+        self.whole_left.set(self.whole_left.get() - left.len());
+        for (hypothesis, explained) in left.iter().zip(self.explanations(candidate, seen, &left)) {
+            let Some(pair) = explained else { continue };
             // One of them alone may have the same picture, because it takes away a whole term.
             let is_part =
                 |one: &Hypothesis| one.choices.iter().all(|(line, way)| hypothesis.choices.get(line) == Some(way));

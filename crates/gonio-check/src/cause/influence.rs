@@ -4,34 +4,9 @@ use super::program::{Change, Runner};
 use super::repair::Repair;
 use super::seeing::see;
 use super::target::{RightPicture, Seen};
+use super::trial::Trial;
 use gonio_glsl::Stage;
 use gonio_threads::prelude::*;
-
-/// One attempt, and its work.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Trial {
-    pub is_positive: bool,
-    pub runs: usize,
-    pub statements: u64,
-}
-
-impl Trial {
-    /// Whether the picture is right with changes.
-    pub fn of_picture(runner: &Runner<'_>, target: &RightPicture, changes: &[Change]) -> Self {
-        let mut trial = Trial { is_positive: true, runs: 0, statements: 0 };
-        // Open strengths fit one scene more easily than all, so the first only excludes.
-        for scenes in [1, runner.samples.len()] {
-            trial.runs += scenes;
-            let seen = see(runner, changes, 0..scenes);
-            trial.statements += seen.as_ref().map_or(0, |seen| seen.statements);
-            trial.is_positive = seen.is_some_and(|seen| target.agrees(&seen).is_some());
-            if !trial.is_positive {
-                break;
-            }
-        }
-        trial
-    }
-}
 
 /// Whether values have an influence on all that is wrong in the picture: the colours, or the positions, or both.
 pub(super) struct Influence<'b> {

@@ -47,6 +47,7 @@ pub(crate) mod solutions;
 mod steps;
 mod symptoms;
 pub(crate) mod target;
+mod trial;
 mod unused;
 pub(crate) mod values;
 mod ward;

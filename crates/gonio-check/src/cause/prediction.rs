@@ -37,7 +37,7 @@ struct LitInputs {
 
 /// The results of the vertex shader with some choices.
 struct OfVertices {
-    clip: Vec<[f32; 4]>,
+    clip: Arc<[[f32; 4]]>,
     /// The varyings at the places, by the inputs of the fragment shader.
     varyings: PointInputs,
 }
@@ -50,7 +50,7 @@ struct SceneModel {
     /// matrices.
     in_world: Option<StageInputs>,
     /// The positions with them, by the choices on which they depend.
-    positions: Mutex<HashMap<Vec<i32>, Vec<[f32; 4]>>>,
+    positions: Mutex<HashMap<Vec<i32>, Arc<[[f32; 4]]>>>,
 }
 
 /// Predicts pictures for one program: with its parameterisation, in its test scenes.
@@ -88,7 +88,7 @@ pub(crate) struct Predicted {
     /// the known colours.
     pub open: Vec<(Option<usize>, Planes)>,
     /// `gl_Position` at each vertex.
-    pub clip: Vec<[f32; 4]>,
+    pub clip: Arc<[[f32; 4]]>,
 }
 
 /// Most variants of the vertex shader that are kept.
@@ -235,12 +235,12 @@ impl Predictor {
     }
 
     /// `gl_Position` at each vertex with some choices in the vertex shader.
-    fn positions(&self, scene: &SceneModel, choices: &[i32], of_light: &OfVertices) -> Vec<[f32; 4]> {
-        let Some(in_world) = &scene.in_world else { return of_light.clip.clone() };
+    fn positions(&self, scene: &SceneModel, choices: &[i32], of_light: &OfVertices) -> Arc<[[f32; 4]]> {
+        let Some(in_world) = &scene.in_world else { return Arc::clone(&of_light.clip) };
         let mut only: Vec<i32> = vec![0; choices.len()];
         self.all.of_position.iter().for_each(|at| only[*at] = choices[*at]);
         if let Some(known) = locked(&scene.positions).get(&only) {
-            return known.clone();
+            return Arc::clone(known);
         }
         let stage = &self.all.program.vertex;
         let points = scene.samples.vertices();
@@ -248,7 +248,7 @@ impl Predictor {
         self.all.choose(Stage::Vertex, &[&only], points, &mut inputs);
         let result = run_in_scene(stage, &inputs);
         let new = clip_positions(result.output(stage, "gl_Position"), 0..points);
-        locked(&scene.positions).insert(only, new.clone());
+        locked(&scene.positions).insert(only, Arc::clone(&new));
         new
     }
 
@@ -271,16 +271,18 @@ impl Predictor {
             hypotheses.iter().map(|_| Predicted { known: black(), ..Predicted::default() }).collect();
         let colour = program.colour_output();
         let is_whole = sum == Sum::Whole;
+        let choices = |hypotheses: &[&Hypothesis]| {
+            [Stage::Vertex, Stage::Fragment]
+                .map(|stage| hypotheses.iter().map(|one| self.all.choices(stage, one)).collect::<Vec<_>>())
+        };
+        let changed = choices(hypotheses);
+        let is_any_unchanged = scene.lit.iter().any(|lit| !lit.is_changed);
+        let unchanged = is_any_unchanged.then(|| choices(&vec![&plain; hypotheses.len()]));
         for lit in scene.lit.iter().filter(|lit| is_whole == (lit.lit == Lit::Whole)) {
-            let applied: Vec<&Hypothesis> =
-                hypotheses.iter().map(|hypothesis| if lit.is_changed { *hypothesis } else { &plain }).collect();
-            let of = |stage: Stage| -> Vec<Vec<i32>> {
-                applied.iter().map(|hypothesis| self.all.choices(stage, hypothesis)).collect()
-            };
-            let of_vertex = of(Stage::Vertex);
-            let vertices = self.of_vertices(scene, lit, &of_vertex);
+            let [of_vertex, of_fragment] = unchanged.as_ref().filter(|_| !lit.is_changed).unwrap_or(&changed);
+            let vertices = self.of_vertices(scene, lit, of_vertex);
             let varyings: Vec<&PointInputs> = vertices.iter().map(|one| &one.varyings).collect();
-            let outputs = self.all.run_fragments(count, &of(Stage::Fragment), &lit.uniforms, &varyings);
+            let outputs = self.all.run_fragments(count, of_fragment, &lit.uniforms, &varyings);
             let Some(colour) = colour.and_then(|at| outputs.get(at)) else { continue };
             for (at, (made, vertices)) in made.iter_mut().zip(&vertices).enumerate() {
                 if made.clip.is_empty() {
@@ -292,8 +294,8 @@ impl Predictor {
                     Lit::Whole => of_term(&mut made.open, None, black),
                 };
                 for (channel, plane) in to.iter_mut().enumerate() {
-                    let of = |point: usize| colour.float(channel, at * count + point);
-                    plane.iter_mut().enumerate().for_each(|(point, sum)| *sum += of(point));
+                    let numbers = colour.floats_at(channel, at * count..(at + 1) * count);
+                    plane.iter_mut().zip(numbers).for_each(|(sum, number)| *sum += number);
                 }
             }
         }
@@ -308,9 +310,9 @@ impl Predictor {
     }
 }
 
-fn clip_positions(position: Option<&PointValues>, points: std::ops::Range<usize>) -> Vec<[f32; 4]> {
+fn clip_positions(position: Option<&PointValues>, points: std::ops::Range<usize>) -> Arc<[[f32; 4]]> {
     let at = |position: &PointValues, point: usize| std::array::from_fn(|c| position.float(c, point));
-    position.map_or_else(Vec::new, |position| points.map(|point| at(position, point)).collect())
+    position.map_or_else(Arc::default, |position| points.map(|point| at(position, point)).collect())
 }
 
 fn of_term(open: &mut Vec<(Option<usize>, Planes)>, term: Option<usize>, black: impl Fn() -> Planes) -> &mut Planes {

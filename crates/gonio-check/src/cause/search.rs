@@ -5,14 +5,15 @@ mod pair;
 
 use super::explanation::Explanation;
 use super::found::Found;
-use super::influence::{Influence, Trial};
+use super::influence::Influence;
 use super::observed::{DEEPEST, Evaluations, Observed, Observer, is_name};
 use super::program::Change;
 use super::proven_cause::ProvenCause;
 use super::repair::{Asked, Make, Relation, Repair};
 use super::right_change::RightChange;
 use super::seeing::see;
-use super::target::{RightPicture, Seen};
+use super::target::Seen;
+use super::trial::{Trial, Trials};
 use crate::comparison::Lights;
 use crate::mistakes::Mistake;
 use gonio_glsl::Stage;
@@ -40,7 +41,7 @@ pub(super) enum Tried {
 /// A search in one program with one right answer.
 pub(crate) struct Search<'a> {
     pub(super) at: Observer<'a>,
-    target: &'a RightPicture,
+    trials: Trials<'a>,
     /// The mistakes that explain the picture, alternatives of each other.
     explanations: &'a [Explanation],
     /// The lights of the picture.
@@ -54,8 +55,8 @@ pub(crate) struct Search<'a> {
 impl<'a> Search<'a> {
     /// Creates a search.
     #[must_use]
-    pub fn new(at: Observer<'a>, target: &'a RightPicture, explanations: &'a [Explanation], lights: Lights) -> Self {
-        Search { at, target, explanations, lights, telling: most_telling(at), runs: 0, statements: 0 }
+    pub fn new(at: Observer<'a>, trials: Trials<'a>, explanations: &'a [Explanation], lights: Lights) -> Self {
+        Search { at, trials, explanations, lights, telling: most_telling(at), runs: 0, statements: 0 }
     }
 
     /// Repairs worth trying, by cost. Where a second light is off, its evaluations are not repaired: what is wrong shows in
@@ -103,7 +104,7 @@ impl<'a> Search<'a> {
     }
 
     fn is_right(&mut self, changes: &[Change]) -> bool {
-        let trial = Trial::of_picture(self.at.runner, self.target, changes);
+        let trial = self.trials.of(changes);
         self.count(&trial)
     }
 
@@ -282,22 +283,22 @@ impl<'a> Search<'a> {
         let mut proven = Vec::new();
         let telling = self.telling;
         let Some(before) = self.see(base, telling..telling + 1) else { return proven };
-        let mut influence = Influence::new(self.at.runner, self.target, base, (telling, before), observed.len());
+        let mut influence = Influence::new(self.at.runner, self.trials.target, base, (telling, before), observed.len());
         let mut dearest = f32::INFINITY;
         for batch in repairs.chunks(if HAS_THREADS { TRIED_AT_ONCE } else { 1 }) {
             let cheap = batch.iter().take_while(|repair| repair.cost <= dearest);
             let change = |repair| Repair::change(repair, observed, self.at.model);
             let changes: Vec<(&Repair, Option<Change>)> = cheap.map(|repair| (repair, change(repair))).collect();
             influence.try_all(self.at.runner, &changes);
-            let (runner, target) = (self.at.runner, self.target);
+            let trials = self.trials;
             let trial = |(repair, change): &(&Repair, Option<Change>)| {
                 let change = change.clone().filter(|_| influence.is_in_picture(repair.of))?;
                 let mut changes = base.to_vec();
                 changes.push(change);
-                Some(Trial::of_picture(runner, target, &changes))
+                Some(trials.of(&changes))
             };
-            let trials: Vec<Option<Trial>> = changes.par_iter().map(trial).collect();
-            for ((repair, change), trial) in changes.iter().zip(&trials) {
+            let tried: Vec<Option<Trial>> = changes.par_iter().map(trial).collect();
+            for ((repair, change), trial) in changes.iter().zip(&tried) {
                 if self.runs > end || self.is_dear() || repair.cost > dearest {
                     return proven;
                 }

@@ -34,10 +34,9 @@ pub(super) fn see(runner: &Runner<'_>, changes: &[Change], scenes: Range<usize>)
 }
 
 fn copy(from: &PointValues, size: usize, points: usize, first: usize, to: &mut Values) {
-    for point in 0..points {
-        to.present[first + point] = true;
-        for component in 0..size {
-            to.numbers[(first + point) * size + component] = from.float(component, point);
-        }
+    to.present[first..first + points].fill(true);
+    for component in 0..size {
+        let numbers = to.numbers[first * size + component..].iter_mut().step_by(size);
+        numbers.zip(from.floats_at(component, 0..points)).for_each(|(to, number)| *to = number);
     }
 }

@@ -125,8 +125,15 @@ impl AllHypotheses {
     }
 
     pub(super) fn choices(&self, stage: Stage, hypothesis: &Hypothesis) -> Vec<i32> {
-        let way = |line: usize| hypothesis.choices.get(&line).copied().unwrap_or(0) as i32;
-        self.ways[stage as usize].iter().map(|(line, _)| way(*line)).collect()
+        let ways = &self.ways[stage as usize];
+        let mut chosen = vec![0; ways.len()];
+        for (line, way) in &hypothesis.choices {
+            // They are in the order of their lines.
+            if let Ok(at) = ways.binary_search_by_key(line, |(line, _)| *line) {
+                chosen[at] = *way as i32;
+            }
+        }
+        chosen
     }
 
     /// The outputs of the vertex shader at its points with each of several choices.

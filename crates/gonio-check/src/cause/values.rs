@@ -62,6 +62,17 @@ impl Values {
         }
     }
 
+    /// The values of some points, by their numbers here.
+    #[must_use]
+    pub fn some(&self, points: &[usize]) -> Self {
+        let mut made = Values::absent(self.size, points.len());
+        for (to, from) in points.iter().enumerate() {
+            made.present[to] = self.present[*from];
+            made.numbers[to * self.size..][..self.size].copy_from_slice(self.at(*from));
+        }
+        made
+    }
+
     /// The number of points.
     #[must_use]
     pub fn points(&self) -> usize {

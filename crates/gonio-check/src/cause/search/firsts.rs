@@ -33,7 +33,7 @@ impl Search<'_> {
         };
         let wrong = |search: &Self, seen: &Seen, scene: usize| {
             let [places, vertices] = [Stage::Fragment, Stage::Vertex].map(|stage| points(search.at, stage, scene));
-            search.target.wrong_in(scene, seen, places, vertices)
+            search.trials.target.wrong_in(scene, seen, places, vertices)
         };
         let Some(before) = self.see(&[], self.telling..self.telling + 1) else { return Vec::new() };
         if wrong(self, &before, self.telling) != [true; 2] {

@@ -15,7 +15,7 @@ use gonio_threads::current_num_threads;
 use gonio_threads::prelude::*;
 
 /// Most runs for two causes, besides those for one.
-const MOST_RUNS_OF_PAIR: usize = 3_000;
+const MOST_RUNS_OF_PAIR: usize = 1_600;
 /// Most runs for the second of two causes.
 const MOST_RUNS_OF_SECOND: usize = 800;
 /// Most values that are tried as the first of two causes.
@@ -163,7 +163,7 @@ impl Search<'_> {
             }
             let model = in_model(&explanations)?;
             let at = Observer { runner: self.at.runner, model: &model };
-            let mut beside = Search::new(at, self.target, &explanations, self.lights);
+            let mut beside = Search::new(at, self.trials, &explanations, self.lights);
             let mut again = at.observe(&base, all.clone());
             at.interpret(&mut again);
             let budget = (MOST_RUNS_OF_SECOND, MOST_RUNS_OF_SECOND);
