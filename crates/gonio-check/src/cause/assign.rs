@@ -274,6 +274,7 @@ fn assign_uniforms(program: &mut Program, scorer: &Scorer<'_>) {
         // Beside inputs without a role, a light shows few values.
         lights::choose_space(program, scorer);
     }
+    tell_eye_from_light(program, scorer, &others);
     // Beside a light without a role, the space of the light shows in no value.
     if !others.is_empty() && (1..=MOST_MATRICES).contains(&matrices.len()) {
         choose_matrices(program, scorer, &matrices);
@@ -297,6 +298,24 @@ fn assign_uniforms(program: &mut Program, scorer: &Scorer<'_>) {
     program.declared.adopt(&program.bindings);
     let bound = &program.bindings.bound;
     program.bindings.unknown.retain(|unknown| bound.iter().all(|bound| bound.declared != *unknown));
+}
+
+/// Makes one of two inputs the eye that both have the role of the light: from either, most values are directions to it.
+fn tell_eye_from_light(program: &mut Program, scorer: &Scorer<'_>, open: &[usize]) {
+    let light = Role::LightPos(0);
+    let bound = &program.bindings.bound;
+    let is_light = |index: &usize| bound[*index].role == light && bound[*index].how == How::Type;
+    let lights: Vec<usize> = open.iter().copied().filter(is_light).collect();
+    let is_taken = bound.iter().any(|bound| bound.role == Role::ViewPos);
+    let is_named = bound.iter().any(|bound| bound.role == light && bound.how != How::Type);
+    let ([first, second], false, false) = (lights.as_slice(), is_taken, is_named) else { return };
+    let with_eye = |eye: usize| {
+        let mut other = program.clone();
+        other.bindings.bound[eye].role = Role::ViewPos;
+        (scorer.score(&other), other.bindings.bound)
+    };
+    let [of_first, of_second] = [*first, *second].map(with_eye);
+    program.bindings.bound = if of_first.0 > of_second.0 { of_first.1 } else { of_second.1 };
 }
 
 /// Assigns roles to the matrices that have none by name, once those of the other inputs are known.

@@ -245,9 +245,15 @@ impl Observer<'_> {
                 inside().filter(|inner| !right.iter().any(|outer| is_inside(*inner, *outer))).collect()
             })
             .collect();
-        // A matrix, or a vector with a fourth component, is a step on the way to a quantity.
+        // A matrix, a column of a given one, or a vector with a fourth component, is a step on the way to a quantity.
+        let is_column = |seen: &Observed| {
+            let is_of_index = |c: char| c.is_ascii_alphanumeric() || "[]. ".contains(c);
+            self.text(seen).split_once('[').is_some_and(|(matrix, index)| {
+                self.runner.program.is_input(seen.stage, matrix.trim()) && index.chars().all(is_of_index)
+            })
+        };
         let is_step: Vec<bool> = (observed.iter().zip(&reads))
-            .map(|(seen, reads)| ![1, 3].contains(&seen.values.size) && reads.is_none())
+            .map(|(seen, reads)| (![1, 3].contains(&seen.values.size) || is_column(seen)) && reads.is_none())
             .collect();
         for _ in 0..DEEPEST {
             let mut is_changed = false;

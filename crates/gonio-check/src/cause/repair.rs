@@ -50,6 +50,8 @@ pub(super) const FACTORS: [&str; 11] = [
     "roughness",
 ];
 
+/// The distance between surface and light.
+const DISTANCE: &str = "d";
 /// An input that no lamp's light depends on.
 const REFRACTION_INDEX: &str = "refractionIndice";
 /// The direction in which a cubemap is sampled, which is in the world.
@@ -192,7 +194,7 @@ impl Observer<'_> {
         // `vec3(ambient)` is as right as the number, and may only lack a colour.
         let grey = if seen.is.is_none() { seen.values.grey() } else { None };
         let is_right_grey = grey.is_some_and(|grey| self.recognise(seen.stage, &grey).is_some());
-        let (is_same_in_scene, is_of_input) = (OnceCell::new(), OnceCell::new());
+        let (is_same_in_scene, is_of_input, is_of_places) = (OnceCell::new(), OnceCell::new(), OnceCell::new());
         let mut push = |relation: Relation, should: String, make: Make, extra: f32| {
             let quantity = if let Make::Quantity(index) = make { Some(&model.quantities[index]) } else { None };
             // A literal stands for a constant, unless a known mistake writes it instead of a quantity.
@@ -263,7 +265,11 @@ impl Observer<'_> {
             }
             // A number that is computed from inputs alone never varies from place to place.
             let is_varying = !is_number && relation == Relation::Other && size == 1 && !right.is_constant();
+            // But the distance may be that of the wrong points.
+            let may_be_distance =
+                || quantity.name == DISTANCE && *is_of_places.get_or_init(|| self.is_of_places(observed, seen));
             if is_varying
+                && !may_be_distance()
                 && *is_same_in_scene.get_or_init(|| self.is_same_in_each_scene(seen))
                 && *is_of_input.get_or_init(|| self.is_of_input(observed, seen))
             {
@@ -346,6 +352,14 @@ impl Observer<'_> {
         observed
             .iter()
             .any(|part| reads(part) && (self.is_within(part, seen) || set.is_some_and(|set| self.is_within(part, set))))
+    }
+
+    /// Whether a position that is an input is part of an expression.
+    fn is_of_places(&self, observed: &[Observed], seen: &Observed) -> bool {
+        let is_place = |part: &Observed| {
+            part.is.is_some_and(|is| ["light_pos", "u_view_pos"].contains(&self.model.quantities[is].name.as_str()))
+        };
+        observed.iter().any(|part| is_place(part) && self.is_within(part, seen))
     }
 
     /// Whether a variable is set to a right term in a colour, which may lack that of the object.

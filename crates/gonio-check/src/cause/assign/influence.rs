@@ -161,14 +161,18 @@ pub(in crate::cause) fn by_influence(
     let has_light = has(&|role| role.light().is_some() && role.in_space(false).is_some());
     let has_eye = has(&|role| role == Role::ViewPos);
     let (light, eye) = (Role::LightPos(0), Role::ViewPos);
-    // Where a mistake takes the light away, its place has no influence.
-    let is_light_by_values = |at: &usize| {
-        let is_it = |bound: &Bound| bound.role == light && all[*at].members.contains(&bound.declared);
-        kinds[*at] == Influence::None && assigned.bindings.bound.iter().any(is_it)
+    // Where a mistake takes the light away, or the highlight, its place has no influence, nor has the eye's.
+    let by_values = |role: Role| {
+        let is_it = |at: &usize| {
+            let is_it = |bound: &Bound| bound.role == role && all[*at].members.contains(&bound.declared);
+            kinds[*at] == Influence::None && assigned.bindings.bound.iter().any(is_it)
+        };
+        (0..all.len()).find(is_it).map(|at| (at, role))
     };
     let of_places: Vec<Vec<(usize, Role)>> = match (places.as_slice(), is_lit) {
         ([], true) if !has_light => {
-            vec![(0..all.len()).filter(is_light_by_values).take(1).map(|at| (at, light)).collect()]
+            let eye = by_values(eye).filter(|_| !has_eye);
+            vec![by_values(light).into_iter().chain(eye).collect()]
         }
         ([], _) => vec![Vec::new()],
         ([one, ..], false) => vec![vec![(*one, eye)]],
