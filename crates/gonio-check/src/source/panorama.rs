@@ -22,6 +22,10 @@ pub(super) fn answer(reading: &Reading, id: &str) -> Answer {
             .or(|| there(scaled(reading, "atan", |_| true))),
         "panorama-turned-half" => arctangent(reading, |_, y, x| y == (0, -1.0) && x == (2, 1.0))
             .or(|| there(scaled(reading, "atan", |_| true))),
+        "longitude-of-quotient" => match call(reading, "atan") {
+            Some(id) if reading.graph.call(id, "atan").is_some_and(|arguments| arguments.len() == 1) => At(id, 1.0),
+            _ => Not,
+        },
         "longitude-divided-by-pi" => Answer::at_or(scaled(reading, "atan", |by| near(by, PI)), 1.0, Not),
         "latitude-divided-by-two-pi" => match latitude_by_two_pi(reading) {
             Some(at) => At(at, 1.0),
