@@ -35,9 +35,12 @@ struct LitInputs {
     vertices: Mutex<HashMap<Vec<i32>, Arc<OfVertices>>>,
 }
 
+/// `gl_Position` at each vertex.
+type ClipPositions = Arc<[[f32; 4]]>;
+
 /// The results of the vertex shader with some choices.
 struct OfVertices {
-    clip: Arc<[[f32; 4]]>,
+    clip: ClipPositions,
     /// The varyings at the places, by the inputs of the fragment shader.
     varyings: PointInputs,
 }
@@ -50,7 +53,7 @@ struct SceneModel {
     /// matrices.
     in_world: Option<StageInputs>,
     /// The positions with them, by the choices on which they depend.
-    positions: Mutex<HashMap<Vec<i32>, Arc<[[f32; 4]]>>>,
+    positions: Mutex<HashMap<Vec<i32>, ClipPositions>>,
 }
 
 /// Predicts pictures for one program: with its parameterisation, in its test scenes.
@@ -88,7 +91,7 @@ pub(crate) struct Predicted {
     /// the known colours.
     pub open: Vec<(Option<usize>, Planes)>,
     /// `gl_Position` at each vertex.
-    pub clip: Arc<[[f32; 4]]>,
+    pub clip: ClipPositions,
 }
 
 /// Most variants of the vertex shader that are kept.
@@ -235,7 +238,7 @@ impl Predictor {
     }
 
     /// `gl_Position` at each vertex with some choices in the vertex shader.
-    fn positions(&self, scene: &SceneModel, choices: &[i32], of_light: &OfVertices) -> Arc<[[f32; 4]]> {
+    fn positions(&self, scene: &SceneModel, choices: &[i32], of_light: &OfVertices) -> ClipPositions {
         let Some(in_world) = &scene.in_world else { return Arc::clone(&of_light.clip) };
         let mut only: Vec<i32> = vec![0; choices.len()];
         self.all.of_position.iter().for_each(|at| only[*at] = choices[*at]);
@@ -310,7 +313,7 @@ impl Predictor {
     }
 }
 
-fn clip_positions(position: Option<&PointValues>, points: std::ops::Range<usize>) -> Arc<[[f32; 4]]> {
+fn clip_positions(position: Option<&PointValues>, points: std::ops::Range<usize>) -> ClipPositions {
     let at = |position: &PointValues, point: usize| std::array::from_fn(|c| position.float(c, point));
     position.map_or_else(Arc::default, |position| points.map(|point| at(position, point)).collect())
 }

@@ -8,6 +8,7 @@ use super::samples::PLACES;
 use super::values::Values;
 use crate::comparison::{MOST_TERMS, weighted_strengths};
 use crate::mistakes::Hypothesis;
+use gonio_threads::HAS_THREADS;
 use std::borrow::Cow;
 use std::ops::Range;
 use std::sync::OnceLock;
@@ -250,7 +251,8 @@ fn joined<'a>(scenes: &[&'a Predicted], of: impl Fn(&'a Predicted) -> &'a [f32])
 impl Fit {
     /// Fits predictions of the first scenes, `count` places together.
     pub fn new(seen: &SeenColours, count: usize, scenes: &[&Predicted]) -> Self {
-        match scenes.first().is_none_or(|first| first.open.is_empty()) {
+        // In the page's module, which is to be small, the code for open terms does for none.
+        match HAS_THREADS && scenes.first().is_none_or(|first| first.open.is_empty()) {
             true => Fit::of_terms::<0>(seen, count, scenes),
             false => Fit::of_terms::<MOST_TERMS>(seen, count, scenes),
         }
@@ -261,11 +263,11 @@ impl Fit {
         let mut found = Fit { strengths: [None; 3], is_dark: false, is_white: true, is_blind: false, share: 1.0 };
         let Some(first) = scenes.first() else { return found };
         let is_limited = |plane: &Vec<f32>| plane[..count].iter().all(|x| *x >= 1.0 || !x.is_finite());
-        found.is_blind = TERMS > 0 && seen.planes.iter().all(is_limited);
+        found.is_blind = !first.open.is_empty() && seen.planes.iter().all(is_limited);
         // With open strengths, a dark picture is as good as a bright one; a black one has no light.
-        let scale = match TERMS {
-            0 => 1.0,
-            _ => (2.0 * seen.root_mean_square(count)).clamp(DARKEST, 1.0),
+        let scale = match first.open.is_empty() {
+            true => 1.0,
+            false => (2.0 * seen.root_mean_square(count)).clamp(DARKEST, 1.0),
         };
         let is_grey = seen.is_grey
             && scenes.iter().all(|scene| is_grey(&scene.known) && scene.open.iter().all(|(_, open)| is_grey(open)));

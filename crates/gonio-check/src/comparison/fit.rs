@@ -131,9 +131,8 @@ fn eliminate<const N: usize>(mut matrix: [[f64; N]; N], mut right: [f64; N]) -> 
         right.swap(column, pivot);
         for row in (0..N).filter(|&row| row != column) {
             let factor = matrix[row][column] / matrix[column][column];
-            for j in 0..N {
-                matrix[row][j] -= factor * matrix[column][j];
-            }
+            let pivot_row = matrix[column];
+            matrix[row].iter_mut().zip(pivot_row).for_each(|(to, from)| *to -= factor * from);
             right[row] -= factor * right[column];
         }
     }
