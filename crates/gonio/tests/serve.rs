@@ -9,7 +9,7 @@ use std::io::{BufRead, BufReader, Read, Write};
 use std::net::{Shutdown, TcpListener, TcpStream};
 use std::process::{Child, Command, Stdio};
 
-const HASHED: &str = "gonio.0123456789abcdef.wasm";
+const HASHED: &str = "gonio.0123abcd.wasm";
 
 /// A small page: `index.html` and a compressed file with a hashed name.
 fn page() -> Lab {

@@ -199,12 +199,12 @@ impl HttpResponse {
     }
 }
 
-/// Whether a name contains the hash of its content: `gonio.0123456789abcdef.wasm`.
+/// Whether a name contains the hash of its content: `gonio.0123abcd.wasm`.
 fn is_hashed(name: &str) -> bool {
     let mut parts = name.rsplit('.');
     parts.next();
     parts.next().is_some_and(|hash| {
-        hash.len() == 16 && hash.bytes().all(|byte| byte.is_ascii_digit() || (b'a'..=b'f').contains(&byte))
+        hash.len() == 8 && hash.bytes().all(|byte| byte.is_ascii_digit() || (b'a'..=b'f').contains(&byte))
     })
 }
 
@@ -266,8 +266,8 @@ mod tests {
 
     #[test]
     fn hashes_are_recognised() {
-        assert!(is_hashed("gonio.0123456789abcdef.wasm") && is_hashed("samples/a.b.0123456789abcdef.obj"));
-        assert!(!is_hashed("index.html") && !is_hashed("gonio.0123456789ABCDEF.wasm"));
-        assert!(!is_hashed("0123456789abcdef") && !is_hashed("gonio.0123456789abcde.wasm"));
+        assert!(is_hashed("gonio.0123abcd.wasm") && is_hashed("samples/a.b.0123abcd.obj"));
+        assert!(!is_hashed("index.html") && !is_hashed("gonio.0123ABCD.wasm"));
+        assert!(!is_hashed("0123abcd") && !is_hashed("gonio.0123abc.wasm"));
     }
 }
