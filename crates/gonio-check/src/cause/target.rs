@@ -4,11 +4,9 @@
 pub use super::answer::Highlight;
 use super::answer::{AnswerMethod, Uncoloured, hypothesis_of, peculiarities};
 use super::prediction::{Planes, Predicted, Predictor, Sum};
-use super::samples::PLACES;
 use super::values::Values;
-use crate::comparison::{MOST_TERMS, weighted_strengths};
+use crate::comparison::weighted_strengths;
 use crate::mistakes::Hypothesis;
-use gonio_threads::HAS_THREADS;
 use std::borrow::Cow;
 use std::ops::Range;
 use std::sync::OnceLock;
@@ -251,15 +249,7 @@ fn joined<'a>(scenes: &[&'a Predicted], of: impl Fn(&'a Predicted) -> &'a [f32])
 impl Fit {
     /// Fits predictions of the first scenes, `count` places together.
     pub fn new(seen: &SeenColours, count: usize, scenes: &[&Predicted]) -> Self {
-        // In the page's module, which is to be small, the code for open terms does for none.
-        match HAS_THREADS && scenes.first().is_none_or(|first| first.open.is_empty()) {
-            true => Fit::of_terms::<0>(seen, count, scenes),
-            false => Fit::of_terms::<MOST_TERMS>(seen, count, scenes),
-        }
-    }
-
-    /// Fits predictions with at most `TERMS` open terms.
-    fn of_terms<const TERMS: usize>(seen: &SeenColours, count: usize, scenes: &[&Predicted]) -> Self {
+        let mut wrong = vec![false; count];
         let mut found = Fit { strengths: [None; 3], is_dark: false, is_white: true, is_blind: false, share: 1.0 };
         let Some(first) = scenes.first() else { return found };
         let is_limited = |plane: &Vec<f32>| plane[..count].iter().all(|x| *x >= 1.0 || !x.is_finite());
@@ -271,26 +261,17 @@ impl Fit {
         };
         let is_grey = seen.is_grey
             && scenes.iter().all(|scene| is_grey(&scene.known) && scene.open.iter().all(|(_, open)| is_grey(open)));
-        let (mut few, mut many);
-        let wrong: &mut [bool] = match count <= PLACES {
-            true => {
-                few = [false; PLACES];
-                &mut few[..count]
-            }
-            false => {
-                many = vec![false; count];
-                &mut many
-            }
-        };
         for channel in 0..if is_grey { 1 } else { 3 } {
             let known = joined(scenes, |scene| &scene.known[channel]);
-            let open: [Cow<'_, [f32]>; TERMS] = std::array::from_fn(|term| match term < first.open.len() {
-                true => joined(scenes, move |scene| scene.open[term].1[channel].as_slice()),
-                false => Cow::default(),
-            });
-            let beyond = open.each_ref().map(AsRef::as_ref);
-            let (weights, seen) = (&seen.weights[channel][..count], &seen.planes[channel][..count]);
-            let fitted = weighted_strengths(weights, seen, &known, beyond);
+            let open: Vec<Cow<'_, [f32]>> = (0..first.open.len())
+                .map(|term| joined(scenes, move |scene| scene.open[term].1[channel].as_slice()))
+                .collect();
+            let beyond: Vec<&[f32]> = open.iter().map(AsRef::as_ref).collect();
+            let (weights, seen) = (&seen.weights[channel], &seen.planes[channel][..count]);
+            let fitted = match beyond.is_empty() {
+                true => Vec::new(),
+                false => weighted_strengths(|place| weights[place], seen, &known, &beyond),
+            };
             let ambient = first.open.iter().position(|(term, _)| *term == Some(0));
             found.is_white &= ambient.is_some_and(|at| {
                 let mut bright = beyond[at].iter().filter(|x| x.is_finite()).map(|x| fitted[at] * f64::from(*x));
@@ -305,15 +286,13 @@ impl Fit {
                     None => found.is_dark |= *strength <= 0.0,
                 }
             }
-            let fitted = fitted.map(|strength| strength as f32);
-            for (place, ((seen, known), wrong)) in seen.iter().zip(known.iter()).zip(&mut *wrong).enumerate() {
-                let at_place = |term: &[f32]| term.get(place).copied().unwrap_or(0.0);
-                let right = beyond.iter().zip(fitted).fold(*known, |sum, (x, strength)| sum + strength * at_place(x));
-                // Without branches, several places are compared together.
-                let is_near = (seen - right).abs() <= TOLERANCE * scale + RELATIVE_TOLERANCE * right.abs();
-                let is_white = (*seen >= 1.0) & (right >= 0.999);
-                let is_nowhere = !seen.is_finite() & !right.is_finite();
-                *wrong |= !(is_near | is_white | is_nowhere);
+            for (place, ((seen, known), wrong)) in seen.iter().zip(known.iter()).zip(&mut wrong).enumerate() {
+                let right =
+                    beyond.iter().zip(&fitted).fold(*known, |sum, (x, strength)| sum + *strength as f32 * x[place]);
+                let is_near = (seen - right).abs() <= TOLERANCE * scale + RELATIVE_TOLERANCE * right.abs()
+                    || *seen >= 1.0 && right >= 0.999
+                    || !seen.is_finite() && !right.is_finite();
+                *wrong |= !is_near;
             }
         }
         // The strength of a term that is not shown cannot be fitted.

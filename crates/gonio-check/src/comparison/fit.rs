@@ -21,34 +21,35 @@ pub struct Fit {
 pub type Plane = Vec<f32>;
 
 /// The most terms whose strengths are fitted: those of the light equation.
-pub const MOST_TERMS: usize = 3;
+const MOST_TERMS: usize = 3;
 
-/// Returns the strengths that bring `known + sum strength * beyond` nearest to `seen`, for one channel. `weights` are those of
-/// the values; `beyond` are terms without the known light. A term without values has strength 0.
-pub fn weighted_strengths<const TERMS: usize>(
-    weights: &[f64],
-    seen: &[f32],
-    known: &[f32],
-    beyond: [&[f32]; TERMS],
-) -> [f64; TERMS] {
-    let (mut matrix, mut right) = ([[0.0_f64; TERMS]; TERMS], [0.0_f64; TERMS]);
-    for (index, ((&weight, &s), &k)) in weights.iter().zip(seen).zip(known).enumerate() {
+/// Returns the strengths that bring `known + sum strength * beyond` nearest to `seen`, for one channel. `weight` is that of
+/// each value; `beyond` are at most three terms without the known light.
+pub fn weighted_strengths(weight: impl Fn(usize) -> f64, seen: &[f32], known: &[f32], beyond: &[&[f32]]) -> Vec<f64> {
+    let count = beyond.len().min(MOST_TERMS);
+    let (mut matrix, mut right) = ([0.0_f64; MOST_TERMS * MOST_TERMS], [0.0_f64; MOST_TERMS]);
+    for (index, (&s, &k)) in seen.iter().zip(known).enumerate() {
+        let weight = weight(index);
         let target = f64::from(s - k);
         if !(target.is_finite() && weight > 0.0) {
             continue;
         }
-        let here = beyond.map(|term| f64::from(term.get(index).copied().unwrap_or(0.0)));
+        let mut here = [0.0_f64; MOST_TERMS];
+        for (value, term) in here.iter_mut().zip(beyond) {
+            *value = f64::from(term.get(index).copied().unwrap_or(f32::NAN));
+        }
+        let here = &here[..count];
         if !here.iter().all(|x| x.is_finite()) {
             continue;
         }
-        for ((row, right), a) in matrix.iter_mut().zip(&mut right).zip(here) {
-            *right += weight * a * target;
-            for (sum, b) in row.iter_mut().zip(here) {
+        for (row, a) in here.iter().enumerate() {
+            right[row] += weight * a * target;
+            for (sum, b) in matrix[row * count..].iter_mut().zip(here) {
                 *sum += weight * a * b;
             }
         }
     }
-    solve(matrix, right)
+    solve(matrix[..count * count].to_vec(), right[..count].to_vec())
 }
 
 /// Fits `known + sum strength * term` to `seen`, in the test scenes of `known` and `terms`.
@@ -63,14 +64,12 @@ pub fn fit(seen: &Atlas, known: &Atlas, terms: &[Atlas]) -> Fit {
         let (seen, known) = (plane(seen), plane(known));
         let beyond = |term: &Atlas| -> Plane { plane(term).iter().zip(&known).map(|(x, k)| x - k).collect() };
         let beyond: Vec<Plane> = terms.iter().map(beyond).collect();
+        let beyond: Vec<&[f32]> = beyond.iter().map(Vec::as_slice).collect();
         // Overexposed pixels are excluded: their value is unknown.
-        let weights: Vec<f64> = seen.iter().map(|seen| if *seen < 1.0 { 1.0 } else { 0.0 }).collect();
-        let of_term = |term: usize| beyond.get(term).map_or(&[][..], Vec::as_slice);
-        weighted_strengths(&weights, &seen, &known, std::array::from_fn::<_, MOST_TERMS, _>(of_term))
+        weighted_strengths(|index| if seen[index] < 1.0 { 1.0 } else { 0.0 }, &seen, &known, &beyond)
     };
     let [red, green, blue] = [0, 1, 2].map(of_channel);
-    let found: Vec<[f64; 3]> =
-        (0..terms.len().min(MOST_TERMS)).map(|term| [red[term], green[term], blue[term]]).collect();
+    let found: Vec<[f64; 3]> = red.iter().zip(green).zip(blue).map(|((r, g), b)| [*r, g, b]).collect();
     let mut predicted = known.clone();
     for (index, pixel) in predicted.pixels.iter_mut().enumerate() {
         if !Atlas::is_drawn(pixel) {
@@ -88,55 +87,68 @@ pub fn fit(seen: &Atlas, known: &Atlas, terms: &[Atlas]) -> Fit {
 }
 
 /// Solves a small symmetric system. Undetermined and negative unknowns become 0.
-fn solve<const N: usize>(mut matrix: [[f64; N]; N], mut right: [f64; N]) -> [f64; N] {
+fn solve(mut matrix: Vec<f64>, mut right: Vec<f64>) -> Vec<f64> {
+    let count = right.len();
     // Terms may differ by twenty orders of magnitude if a vector was not normalised.
-    let sizes: [f64; N] = std::array::from_fn(|i| matrix[i][i].sqrt());
-    let mut free = sizes.map(|size| size > 1e-6 && size.is_finite());
-    let scales: [f64; N] = std::array::from_fn(|i| if free[i] { sizes[i] } else { 1.0 });
-    for i in 0..N {
-        right[i] /= scales[i];
-        for j in 0..N {
-            matrix[i][j] /= scales[i] * scales[j];
+    let sizes: Vec<f64> = (0..count).map(|i| matrix[i * count + i].sqrt()).collect();
+    let mut free: Vec<bool> = sizes.iter().map(|&size| size > 1e-6 && size.is_finite()).collect();
+    let scale = |i: usize| if free[i] { sizes[i] } else { 1.0 };
+    for i in 0..count {
+        right[i] /= scale(i);
+        for j in 0..count {
+            matrix[i * count + j] /= scale(i) * scale(j);
         }
     }
+    let scales: Vec<f64> = (0..count).map(scale).collect();
+    let unscaled = |solution: Vec<f64>| solution.into_iter().zip(&scales).map(|(x, scale)| x / scale).collect();
+    let (matrix_kept, right_kept) = (matrix.clone(), right.clone());
     loop {
-        let (mut of_free, mut right_of_free) = (matrix, right);
-        for i in (0..N).filter(|&i| !free[i]) {
-            of_free[i].fill(0.0);
-            of_free.iter_mut().for_each(|row| row[i] = 0.0);
-            of_free[i][i] = 1.0;
-            right_of_free[i] = 0.0;
+        matrix.copy_from_slice(&matrix_kept);
+        right.copy_from_slice(&right_kept);
+        for i in (0..count).filter(|&i| !free[i]) {
+            for j in 0..count {
+                matrix[i * count + j] = 0.0;
+                matrix[j * count + i] = 0.0;
+            }
+            matrix[i * count + i] = 1.0;
+            right[i] = 0.0;
         }
-        let solution = eliminate(of_free, right_of_free);
+        let solution = eliminate(&mut matrix, &mut right);
         // Light is not negative: a strength below 0 becomes 0.
         let Some(worst) =
-            (0..N).filter(|&i| free[i] && solution[i] < -1e-6).min_by(|&a, &b| solution[a].total_cmp(&solution[b]))
+            (0..count).filter(|&i| free[i] && solution[i] < -1e-6).min_by(|&a, &b| solution[a].total_cmp(&solution[b]))
         else {
-            return std::array::from_fn(|i| solution[i] / scales[i]);
+            return unscaled(solution);
         };
         free[worst] = false;
     }
 }
 
 /// Gaussian elimination with pivoting; rows without a pivot give 0.
-fn eliminate<const N: usize>(mut matrix: [[f64; N]; N], mut right: [f64; N]) -> [f64; N] {
-    const LEAST: f64 = 1e-12;
-    for column in 0..N {
-        let size = |row: usize| matrix[row][column].abs();
-        let pivot = (column..N).max_by(|&a, &b| size(a).total_cmp(&size(b))).unwrap_or(column);
-        if size(pivot) < LEAST {
+fn eliminate(matrix: &mut [f64], right: &mut [f64]) -> Vec<f64> {
+    let count = right.len();
+    for column in 0..count {
+        let pivot = (column..count)
+            .max_by(|&a, &b| matrix[a * count + column].abs().total_cmp(&matrix[b * count + column].abs()))
+            .unwrap_or(column);
+        if matrix[pivot * count + column].abs() < 1e-12 {
             continue;
         }
-        matrix.swap(column, pivot);
+        for j in 0..count {
+            matrix.swap(column * count + j, pivot * count + j);
+        }
         right.swap(column, pivot);
-        for row in (0..N).filter(|&row| row != column) {
-            let factor = matrix[row][column] / matrix[column][column];
-            let pivot_row = matrix[column];
-            matrix[row].iter_mut().zip(pivot_row).for_each(|(to, from)| *to -= factor * from);
+        for row in (0..count).filter(|&row| row != column) {
+            let factor = matrix[row * count + column] / matrix[column * count + column];
+            for j in 0..count {
+                matrix[row * count + j] -= factor * matrix[column * count + j];
+            }
             right[row] -= factor * right[column];
         }
     }
-    std::array::from_fn(|i| if matrix[i][i].abs() < LEAST { 0.0 } else { right[i] / matrix[i][i] })
+    (0..count)
+        .map(|i| if matrix[i * count + i].abs() < 1e-12 { 0.0 } else { right[i] / matrix[i * count + i] })
+        .collect()
 }
 
 #[cfg(test)]

@@ -15,7 +15,7 @@ pub use conclusion::mistake as named;
 pub(crate) use conclusion::{
     MOST_FOR_WRONG, bound, fixed, peculiarities_of, scenes as scene_verdicts, warn_of_undefined,
 };
-pub(crate) use fit::{MOST_TERMS, weighted_strengths};
+pub(crate) use fit::weighted_strengths;
 pub use parameterisation::{Lights, Parameterisation, Second};
 pub(crate) use pictures::{PossibleAnswer, RightAnswer};
 pub(crate) use predict::model_names;
